@@ -24,7 +24,6 @@ from rolamento.solved import Solved, Status
 from rolamento.solved.machine import (
     SeatedBearing,
     SolvedMachine,
-    SolvedMachines,
     SolvedShaft,
 )
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, STATUS_NAMES
@@ -72,7 +71,7 @@ def shaft(machine: Machine | str | os.PathLike[str]) -> SolvedMachine:
 
 def solve_machine(machine: Machine) -> SolvedMachine:
     """As `shaft`."""
-    return solve_machines((machine,))[0]
+    return solve_machines((machine,))
 
 
 def solve_machines(
@@ -80,7 +79,7 @@ def solve_machines(
     *,
     cases: Mapping[str, Case] | None = None,
     shifts: Mapping[str, float] | None = None,
-) -> SolvedMachines:
+) -> SolvedMachine:
     """Solve machines that differ in nothing but what `acts_alone`, all steps of all at once.
 
     Parameters
@@ -112,7 +111,7 @@ def solve_machines(
         np.where(rest.rest.unsupported >= 0, rest.rest.unsupported % FIVE, -1),
     )  # fmt: skip
     steps = len(structure) // len(machines)
-    return SolvedMachines(
+    return SolvedMachine(
         machines=tuple(machines),
         status=status,
         shafts=shafts,

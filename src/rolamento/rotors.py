@@ -26,6 +26,7 @@ from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.system.network import FIVE, unknowns_of
 from rolamento.system.rotor import Eigenmodes, Rotor, rotor_of, unbalance_force
 from rolamento.system.shafts import MachineRest, Seat, Structure
+from rolamento.validate import number, whole_number
 from rolamento.words import Note, said
 
 __all__ = [
@@ -96,7 +97,7 @@ def natural_modes(
         by = _checked_speeds(speed) / base.speed(turning_shaft(base, shaft))
     given, structure, rest, rotor = _at_work(base, by, damping)
     _refuse_lost(rest)
-    found = rotor.modes(0, _checked_count(count))
+    found = rotor.modes(0, whole_number(count, "count", 1, MOST_MODES))
     shapes = found.shape.reshape(len(found.shape), -1, FIVE)
     return Modes(
         machine=given,
@@ -146,7 +147,7 @@ def campbell(
     name = turning_shaft(base, shaft)
     asked = _checked_speeds(speeds)
     given, _, rest, rotor = _at_work(base, asked / base.speed(name), damping)
-    count = _checked_count(count)
+    count = whole_number(count, "count", 1, MOST_MODES)
     frequency = np.full((len(asked), count), np.nan)
     ratio, whirl = np.full(frequency.shape, np.nan), np.full(frequency.shape, "", "U16")
     before: Eigenmodes | None = None
@@ -261,12 +262,7 @@ def compliance(machine: Source, shaft: str, position: float) -> FloatArray:
     """
     given = _machine(machine)
     length = given.shaft(shaft).length
-    if not 0.0 <= position <= length:
-        raise InputError(
-            said("must be at least {at_least} and at most {at_most}", at_least=0, at_most=length),
-            field="position",
-            value=position,
-        )
+    number(position, "position", least=0.0, most=length, unit="m", example="0.1")
     structure, rest, _ = balanced(given)
     beam = next(one for one in structure.beams if one.shaft.name == shaft)
     at = FIVE * beam.node_at(position) + np.arange(FIVE)
@@ -451,16 +447,6 @@ def _checked_speeds(speeds: ArrayLike) -> FloatArray:
             said("must be 1 to {most} finite numbers", most=MOST_SPEEDS), field="speeds"
         )
     return asked
-
-
-def _checked_count(count: int) -> int:
-    if isinstance(count, bool) or not 1 <= count <= MOST_MODES:
-        raise InputError(
-            said("must be at least {at_least} and at most {at_most}", at_least=1,
-                 at_most=MOST_MODES),
-            field="count", value=count,
-        )  # fmt: skip
-    return int(count)
 
 
 def _positions(structure: Structure) -> dict[str, FloatArray]:

@@ -160,6 +160,10 @@ class Refused:
         """Return some of the cases."""
         return Refused(self.case, {name: array[index] for name, array in self.values.items()})
 
+    def alone(self, case: int) -> Case:
+        """Return a case as one of its own."""
+        return self.case.with_({name: float(array[case]) for name, array in self.values.items()})
+
     def note(self, case: int) -> Note:
         """Return the note on a case: the rule that it violates."""
         own = {name: float(array[case]) for name, array in self.values.items()}
@@ -180,7 +184,7 @@ class Refused:
             else:
                 field.checked(value, in_file=False)
         case = self.case.with_(values)
-        if case.mounting is not None and case.bearing.is_set:
+        if case.mounting is not None and not case.bearing.is_one_bearing:
             from rolamento.system.mounted import running_set
 
             return running_set(case)
@@ -192,7 +196,7 @@ class Refused:
 def _solve_varied(case: Case, given: Mapping[str, FloatArray], threads: int | None) -> Solved:
     if case.mounting is None:
         return _solve_many(case, given, threads)
-    if case.bearing.is_set:
+    if not case.bearing.is_one_bearing:
         from rolamento.system.mounted import solve_mounted
 
         solved = solve_mounted(case, bounded(given), threads=threads)
@@ -240,7 +244,7 @@ def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None)
 
 
 def _solve_one(case: Case, loss: bool) -> Solved:
-    if case.mounting is not None and case.bearing.is_set:
+    if case.mounting is not None and not case.bearing.is_one_bearing:
         return _solve_mounted_set(case, loss)
     notes: tuple[Note, ...] = ()
     given = case

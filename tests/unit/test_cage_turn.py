@@ -217,7 +217,7 @@ def test_a_turn_without_a_result_says_why_and_invents_nothing(case_218: Case) ->
 
 @pytest.mark.parametrize("points", [0, 3, 4097, -1])
 def test_the_number_of_points_has_bounds(case_218: Case, points: int) -> None:
-    with pytest.raises(InputError, match="must be 4 to 4096"):
+    with pytest.raises(InputError, match="must be an integer from 4 to 4"):
         cage_turn(case_218, points=points)
 
 

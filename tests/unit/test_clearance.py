@@ -463,7 +463,7 @@ def test_share_of_preloaded_bearings() -> None:
         ({"samples": 10**9}, "integer from 1"),
         ({"samples": True}, "integer from 1"),
         ({"seed": -1}, "must be a non-negative integer"),
-        ({"distribution": "beta"}, "normal or uniform"),
+        ({"distribution": "beta"}, "one of normal, uniform"),
     ],
 )
 def test_samples_out_of_range(fields: dict[str, Any], told: str) -> None:

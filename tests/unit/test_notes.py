@@ -15,7 +15,7 @@ from rolamento.words import Note, speaking
 from rolamento.words.sentences import sentences
 
 SOURCE = Path(rolamento.__file__).parent
-ENGINE = ("notes.py", "analysis", "clearance", "friction", "life", "lubrication")
+ENGINE = ("solved/notes", "analysis", "clearance", "friction", "life", "lubrication")
 
 
 def keys_of_the_engine() -> set[str]:

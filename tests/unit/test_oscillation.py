@@ -20,6 +20,7 @@ from rolamento.life.oscillation import (
     oscillations_per_revolution,
     window_factor,
 )
+from rolamento.studies import Study, run
 from rolamento.tasks.oscillation import life_in_oscillation, life_under_oscillations
 
 ROLLS = {
@@ -256,3 +257,18 @@ def test_the_command() -> None:
     assert frets.exit_code == 1
     assert "frets" in frets.output
     assert run(app, ["oscillation", "6310", "--fr", "5 kN"]).exit_code == 2
+
+
+def test_a_study_has_the_life_of_each_case() -> None:
+    swing = {"angle": "90 deg", "frequency": "2 Hz"}
+    case = Case(bearing="6310", duty={"load": {"fz": "5 kN"}, "oscillation": swing})
+    loads, names = [4e3, 8e3], ("oscillation_hours", "oscillation_critical")
+    axes = [{"field": "duty.load.fz", "values": loads}]
+    found = run(Study(case=case, axes=axes, outputs=names))
+    for place, load in enumerate(loads):
+        own = oscillation_life(solve(case.with_({"duty.load.fz": load})))
+        assert float(found["oscillation_hours"][place]) == pytest.approx(own.hours, rel=1e-9)
+        assert float(found["oscillation_critical"][place]) == pytest.approx(own.critical)
+    turning = Case(bearing="6310", duty={"load": {"fz": "5 kN"}})
+    with pytest.raises(InputError, match="needs an oscillation"):
+        Study(case=turning, axes=axes, outputs=names)

@@ -14,10 +14,11 @@ from tests.one_case import said
 from rolamento import Bearing, Case, Duty, Load, Lubricant, Model
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
-from rolamento.notes import SKID_LIMIT, _friction_alone
 from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.solved.notes.advice import _friction_alone
+from rolamento.solved.notes.balls import SKID_LIMIT
 from rolamento.words import speaking
 
 BOTH = pytest.mark.parametrize("language", ["en", "pt"])

@@ -256,7 +256,7 @@ def test_draws_without_a_result_are_refused_with_their_number() -> None:
         ({"samples": 8}, "power of two"),
         ({"samples": 2**22}, "runs with"),
         ({"confidence": 1.0}, "between 0 and 1"),
-        ({"resamples": 1}, "10 to 10000"),
+        ({"resamples": 1}, "from 10 to 10"),
     ],
 )
 def test_numbers_out_of_range_are_refused(given_numbers: dict[str, Any], words: str) -> None:

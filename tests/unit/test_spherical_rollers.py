@@ -186,3 +186,45 @@ def test_a_torus_has_its_own_limits() -> None:
     assert "toroidal_under_axial_load" not in {note.key for note in free.notes[0]}
     spherical = ro.RollerBearing.named("22211 E")
     assert [one.key for one in spherical.row_types] == ["spherical", "spherical"]
+
+
+# --- mounted ----------------------------------------------------------------------------------
+
+
+def mounted(designation: str, **tables: object) -> ro.Case:
+    seats = {"bore": "50 mm", "outside_diameter": "90 mm", **tables.pop("mounting", {})}  # type: ignore[dict-item]
+    return ro.Case.from_mapping({
+        "bearing": {"designation": designation}, "mounting": seats,
+        "duty": {"load": {"fz": "5 kN", "fx": "0 N"}}, **tables,
+    })  # fmt: skip
+
+
+@pytest.mark.parametrize("designation", ["22210", "C 2210"])
+def test_a_press_fit_takes_its_share_of_the_clearance(designation: str) -> None:
+    """A ring on a solid shaft of its own steel: δ d/D_raceway, whatever its wall (Lamé)."""
+    case = mounted(designation, mounting={"shaft_interference": "20 um", "shaft_roughness": "0 um"})
+    solved, bearing = ro.solve(case), case.bearing
+    across = bearing.element_diameter * np.cos(bearing.contact_angle or 0.0)
+    play = bearing.diametral_clearance - 20e-6 * 0.05 / (bearing.pitch_diameter - across)
+    free = ro.solve(case.replace(mounting=None).with_({"bearing.diametral_clearance": play}))
+    assert solved.displacement.z[0] == pytest.approx(free.displacement.z[0], rel=1e-9)
+    batch = ro.solve(case, {"duty.load.fz": np.array([5e3, 8e3])})
+    assert batch.displacement.z[0] == pytest.approx(solved.displacement.z[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("designation", ["22210", "C 2210"])
+def test_even_warming_is_a_similarity(designation: str) -> None:
+    """One expansion everywhere: under loads that grow by (1 + ε)² pressures stay as they were."""
+    growth = 1.0 + 12.5e-6 * 100.0
+    cold = mounted(designation).with_({"bearing.diametral_clearance": 0.0})
+    warm = {f"temperature.{ring}_ring": 393.15 for ring in ("inner", "outer")}
+    expansions = {f"mounting.{part}_expansion": 12.5e-6 for part in ("ring", "ball")}
+    hot = cold.with_({"duty.load.fz": 5e3 * growth**2, **warm, **expansions})
+    before, after = ro.solve(cold), ro.solve(hot)
+    assert after.displacement.z[0] == pytest.approx(growth * before.displacement.z[0], rel=1e-9)
+    assert after.inner.max_pressure.max() == pytest.approx(before.inner.max_pressure.max())
+
+
+def test_a_tapered_bore_is_driven_up_and_not_fitted() -> None:
+    with pytest.raises(InputError, match="how far the ring is driven"):
+        mounted("22210 K")

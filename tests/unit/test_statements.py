@@ -15,9 +15,9 @@ from rolamento import Case, Solved, solve
 from rolamento.cli.app import app
 from rolamento.document import Document
 from rolamento.document.terminal import terminal
-from rolamento.notes import nothing_given
 from rolamento.pages.report import report_page
 from rolamento.pages.state import state_page
+from rolamento.solved.notes import nothing_given
 from rolamento.tasks.report import calculation_report
 from rolamento.web.live import live
 from rolamento.words import speaking

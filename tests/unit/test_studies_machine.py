@@ -82,10 +82,10 @@ class TestNumbers:
             gear.replace(gears=[gear.gears[0].replace(power=power)]) for power in (1e4, 2e4, 3e4)
         ]
         together = solve_machines(machines)
-        assert (len(together), together.steps) == (3, 3)
+        assert (len(together.machines), len(together)) == (3, 9)
         for index, machine in enumerate(machines):
             alone = shaft(machine)
-            part = together[index]
+            part = together.of_machine(index)
             assert part.machine == machine
             assert part.steps == alone.steps
             one, other = (found.shafts["output shaft"] for found in (part, alone))

@@ -25,7 +25,7 @@ from rolamento.friction.model import Setting, inertia_counts
 from rolamento.life import LifeSummary, life
 from rolamento.lubrication.film_thickness import aihara, thermal_loading
 from rolamento.lubrication.films import oil_of
-from rolamento.notes import notes_on
+from rolamento.solved.notes import notes_on
 from rolamento.tasks.speed import speed_limits
 from rolamento.weibull import LifeTest, maximum_likelihood
 from rolamento.weibull.drawing import Drawing

@@ -241,7 +241,7 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
             ("campanha_2008.csv", "--bounds", "pivotal", "--shape", "1.5"),
             "cannot be combined with --shape, which has its own bounds",
         ),
-        (("campanha_2008.csv", "--shape", "-1"), "must be a positive number"),
+        (("campanha_2008.csv", "--shape", "-1"), "must be a number greater than 0"),
         (("campanha_2008.csv", "--shape", "nan"), "must be a number"),
         (("campanha_2008.csv", "--confidence", "90"), "between 0 and 1"),
         (("campanha_2008.csv", "--reliability", "1"), "between 0 and 1"),

@@ -4,6 +4,6 @@
 one that it asks for and that cannot be had is None with a note, never an exception.
 """
 
-from rolamento.analysis.analysis import Analysis, analyse, film_and_friction
+from rolamento.analysis.analysis import Analysis, analyse, film_and_friction, life_of
 
-__all__ = ["Analysis", "analyse", "film_and_friction"]
+__all__ = ["Analysis", "analyse", "film_and_friction", "life_of"]

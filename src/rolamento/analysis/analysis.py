@@ -12,7 +12,6 @@ import numpy as np
 
 from rolamento.analysis.needs import has_friction, has_life, has_oil, machines_known
 from rolamento.case import Case
-from rolamento.errors import InputError
 from rolamento.numerics.blocks import in_blocks
 from rolamento.records import frozen, span
 from rolamento.solved import Solved
@@ -209,7 +208,7 @@ def analyse(
         return Analysis(solved)
     single = len(solved) == 1
     compare = single and not quick if compare is None else compare
-    life, why_not = _life(solved, stress_volume=single and not quick)
+    life, why_not = life_of(solved, stress_volume=single and not quick)
     film, friction = film_and_friction(
         solved, model=model, hysteresis=hysteresis, compare=compare, threads=threads
     )
@@ -272,44 +271,33 @@ def _missing(solved: Solved) -> tuple[Note, ...]:
     return (Note("no_temperature" if has_friction(solved) else "no_temperature_no_friction"),)
 
 
-def _life(solved: Solved, *, stress_volume: bool) -> tuple[LifeSummary | None, tuple[Note, ...]]:
-    """Life of the cases, if they ask for one; or why a single one has none."""
-    case = solved.case
-    if not has_life(case):
+def life_of(solved: Solved, *, stress_volume: bool) -> tuple[LifeSummary | None, tuple[Note, ...]]:
+    """Return the life of the cases, if they ask for one that the standards rate; or why not.
+
+    Parameters
+    ----------
+    solved
+        Cases.
+    stress_volume
+        As of `rolamento.life.life`.
+    """
+    if not has_life(solved.case):
         return None, ()
     from rolamento.life import conditions_of, life
+    from rolamento.life.row_ratings import UnratedError
 
     conditions = conditions_of(solved)
-    if len(solved) > 1:
-        return life(solved, conditions, stress_volume=stress_volume), ()
     why_not: tuple[Note, ...] = ()
     if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
         conditions = replace(conditions, nsk_cleanliness=None)
         why_not = (Note("l_able_without_viscosity"),)
     try:
         return life(solved, conditions, stress_volume=stress_volume), why_not
-    except InputError as error:
+    except UnratedError as error:
         if error.field == "bearing.contact_angle":
             return None, (Note("life_of_thrust_bearing"),)
-        if error.field == "dynamic_rating":
-            rollers = all(place.bearing.element != "ball" for place in case.bearing.places)
-            return None, (Note("life_without_rating", {"element": "roller"} if rollers else {}),)
-        raise
-
-
-def life_if_any(solved: Solved) -> LifeSummary | None:
-    """Return the life of cases by all theories but that of stressed volumes; None without one."""
-    from rolamento.life import conditions_of, life
-
-    if not has_life(solved.case):
-        return None
-    try:
-        conditions = conditions_of(solved)
-        if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
-            conditions = replace(conditions, nsk_cleanliness=None)
-        return life(solved, conditions, stress_volume=False)
-    except InputError:  # a thrust bearing, or one without a rating
-        return None
+        rollers = all(place.bearing.element != "ball" for place in solved.case.bearing.places)
+        return None, (Note("life_without_rating", {"element": "roller"} if rollers else {}),)
 
 
 def _viscosity_known(conditions: LifeConditions) -> bool:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from rolamento.analysis.analysis import Analysis, analyse, life_if_any
+from rolamento.analysis.analysis import Analysis, analyse, life_of
 from rolamento.case.machine import Machine
-from rolamento.errors import InputError
 from rolamento.io.json import dumps, plain
 from rolamento.life.duty import DutyLife, lives_of_duty
 from rolamento.life.headline import Headline
@@ -23,7 +22,7 @@ from rolamento.life.system import SystemLife
 from rolamento.machines import shaft
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedMachines
+from rolamento.solved.machine import SeatedBearing, SolvedMachine
 from rolamento.words import Note
 
 if TYPE_CHECKING:
@@ -195,10 +194,7 @@ def analyse_machine(machine: Machine | SolvedMachine | str | os.PathLike[str]) -
     bearings, lives = {}, {}
     notes: dict[str, tuple[Note, ...]] = {}
     for name, seated in solved.bearings.items():
-        try:
-            own = analyse(seated.solved)
-        except InputError as error:  # of many cases, what a single one has as a note
-            own = Analysis(seated.solved, notes=(Note("part_missing", {"reason": str(error)}),))
+        own = analyse(seated.solved)
         bearings[name], notes[name] = own, own.notes
         lives[name] = _life(solved, seated, own.life)
     known = [life for life in lives.values() if life is not None]
@@ -249,7 +245,7 @@ def _under_steps(
 
 
 def leading_lives(
-    solved: SolvedMachines,
+    solved: SolvedMachine,
 ) -> tuple[tuple[Mapping[str, DutyLife | None], SystemLife | None], ...]:
     """Find the lives that lead, of each machine by bearing, and of its bearings together.
 
@@ -258,7 +254,7 @@ def leading_lives(
     found: list[dict[str, DutyLife | None]] = [{} for _ in solved.machines]
     unsolved = solved.unsolved
     for name, seated in solved.bearings.items():
-        summary, speed = life_if_any(seated.solved), seated.relative_speed
+        (summary, _), speed = life_of(seated.solved, stress_volume=False), seated.relative_speed
         for index, machine in enumerate(solved.machines):
             cases, life = solved.cases_of(index), None
             if summary is not None and unsolved[index] is None:

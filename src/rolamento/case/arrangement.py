@@ -13,7 +13,7 @@ from rolamento.case.profile import ProfileField
 from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
 from rolamento.case.record import ByElement, Record, elements_of, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
-from rolamento.types import BALL, Ribs, RollerElement
+from rolamento.types import BALL, PLAIN_ROLLER, Ribs, RollerElement
 from rolamento.units import Dimension, to_si
 from rolamento.words import said
 
@@ -185,7 +185,7 @@ class RollerRow(_Row):
         If a value is missing or out of range.
     """
 
-    element: RollerElement = Field("cylindrical", examples=["cylindrical"])
+    element: RollerElement = Field(PLAIN_ROLLER, examples=[PLAIN_ROLLER])
     designation: Line | None = Field(None, examples=["NU 210"])
     orientation: Orientation = Field("+", examples=["+"])
     position: _Shift = Field(examples=["-12 mm"])

@@ -292,7 +292,7 @@ class Bearing(RollingBearing):
     RULES: ClassVar = _RULES
 
     element: Literal["ball"] = Field("ball", examples=["ball"])
-    kind: Grooves | None = Field(None, examples=["four_point"])
+    kind: Grooves | None = Field(None, examples=[get_args(Grooves)[0]])
     designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
         None, examples=["6305/C3"]
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento.types import TYPES
+from rolamento.types import BY_ELEMENT, TYPES
 from rolamento.words import marked, said
 
 __all__ = ["CHOICES", "LABELS", "choice_label", "label_of"]
@@ -313,13 +313,7 @@ _RIBS: Final = {
 _FINISHES: Final = {"ground": marked("ground"), "turned": marked("turned")}
 
 CHOICES: Final = {
-    "bearing.element": {
-        "ball": marked("ball"),
-        "cylindrical": marked("cylindrical roller"),
-        "tapered": marked("tapered roller"),
-        "needle": marked("needle"),
-        "barrel": marked("barrel roller"),
-    },
+    "bearing.element": {element: one.rolling for element, one in BY_ELEMENT.items()},
     "bearing.kind": {one.grooves: one.adjective for one in TYPES.values() if one.grooves},
     "bearing.preload.level": {
         "extra_light": marked("extra light"),

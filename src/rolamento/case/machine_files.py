@@ -29,6 +29,7 @@ from rolamento.io.text import (
     read_bytes,
     read_text,
 )
+from rolamento.validate import one_of
 from rolamento.words import marked, said
 
 __all__ = [
@@ -114,13 +115,8 @@ def _between_rings(
                 field=f"{field}.{missing}",
                 example='matrix = "housing.mtx" and nodes = "nodes.csv"',
             )
-    if others not in (None, "free", "held"):
-        raise InputError(
-            said("must be one of {expected}", expected="free, held"),
-            field=f"{field}.others",
-            value=others,
-            example='others = "free"',
-        )
+    if others is not None:
+        one_of(others, f"{field}.others", ("free", "held"), 'others = "free"')
     rows: Any = nodes
     listed = None
     if isinstance(nodes, str):

@@ -32,6 +32,7 @@ from rolamento.case.rolling_bearing import (
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.types import (
+    PLAIN_ROLLER,
     ROLLER,
     BearingType,
     Ribs,
@@ -510,11 +511,11 @@ class RollerBearing(RollingBearing):
     PARAMETERS: ClassVar = RollerParameters
     RULES: ClassVar = _RULES
 
-    element: RollerElement = Field("cylindrical", examples=["cylindrical"])
+    element: RollerElement = Field(PLAIN_ROLLER, examples=[PLAIN_ROLLER])
     designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
         None, examples=["NU 205/C3"]
     )
-    kind: RollerRings | None = Field(None, examples=["spherical"])
+    kind: RollerRings | None = Field(None, examples=[get_args(RollerRings)[0]])
     roller_count: BallCount = Field(examples=[13])
     roller_diameter: Annotated[
         float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)

@@ -311,6 +311,11 @@ class RollingBearing(Record):
         return self.arrangement is not None or self.rows is not None or self._set_by_kind
 
     @property
+    def is_one_bearing(self) -> bool:
+        """Whether all its rows lie between the same two rings, which fits change alike."""
+        return self.arrangement is None and self.rows is None
+
+    @property
     def _set_by_kind(self) -> bool:
         """Whether its rows follow from its kind."""
         kind = self.bearing_type

@@ -25,8 +25,9 @@ from rolamento.io.data import toml_of
 from rolamento.io.numerals import Numerals
 from rolamento.io.text import parse_mapping
 from rolamento.records import frozen
-from rolamento.types import BALL, TYPES, BearingKey, BearingType, of_balls
+from rolamento.types import BALL, PLAIN_BALLS, TYPES, BearingKey, BearingType, of_balls
 from rolamento.units import Dimension, readable, to_si
+from rolamento.validate import one_of
 from rolamento.words import said
 
 
@@ -82,7 +83,7 @@ class CatalogueBearing:
 
     designation: str
     maker: str = ""
-    kind: BearingKey = "deep_groove"
+    kind: BearingKey = PLAIN_BALLS
     bore: float
     outside_diameter: float
     width: float | None = None
@@ -437,12 +438,7 @@ def _bearing_within_reason(
         raise InputError(said("must be greater than the bore"), field="outside_diameter")
     _check_raceways(figures)
     kind = _kind_of(texts, figures)
-    if kind not in TYPES:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(TYPES)),
-            field="kind",
-            value=kind,
-        )
+    one_of(kind, "kind", TYPES)
     return _bearing(texts, figures, source)
 
 

@@ -209,10 +209,11 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
     one = 1e-3
     listed, listed_static = bearing.rated
     kind = bearing.kind
-    rows = bearing.rows
-    rated: dict[str, Any] = {"thrust": bearing.type.washers, "rows": rows}
-    static = roller_static_rating(count, diameter, one, pitch, angle, **rated)
-    dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind, **rated)
+    rows, axial = bearing.rows, bearing.type.washers
+    static = roller_static_rating(count, diameter, one, pitch, angle, thrust=axial, rows=rows)
+    dynamic = roller_dynamic_rating(
+        count, diameter, one, pitch, angle, kind=kind, thrust=axial, rows=rows
+    )
     chi, factors = unusual, practice["practice"].get(bearing.maker, practice["practice"]["iso"])
     low, high = practice["filling_without_cage"] if bearing.is_full_complement else usual["filling"]
     if bearing.roller_count is None:

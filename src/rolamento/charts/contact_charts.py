@@ -27,9 +27,8 @@ from rolamento.charts.record import Axis, Chart, Line, Mark
 from rolamento.charts.texts import number
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.geometry import Race
-from rolamento.notes import pressure_limit
-from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
+from rolamento.solved.notes import are_rollers, pressure_limit
 from rolamento.words import said
 
 __all__ = [

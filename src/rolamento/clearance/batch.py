@@ -7,8 +7,7 @@ case's own numbers.
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from dataclasses import replace
-from types import SimpleNamespace
+from dataclasses import make_dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -72,7 +71,7 @@ def operating_batch(
         If something is missing, or what varies does not go together.
     """
     assert case.mounting is not None
-    assert not case.bearing.is_set, "a set has a preload too: see rolamento.system.mounted"
+    assert case.bearing.is_one_bearing, "a set has a preload too: see rolamento.system.mounted"
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
     bearing = row_bearing(case.bearing, case.bearing, frozenset(), arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
@@ -193,23 +192,28 @@ def row_bearing(
     return parameters_of(bearing, row, frozenset(own), arrays)
 
 
+MountingParameters: Any = make_dataclass(
+    "MountingParameters", [(name, Any) for name in Mounting.model_fields], frozen=True, eq=False
+)
+"""A mounting in many cases: the fields of its record, numbers or arrays (cases,)."""
+
+
 def mounting_of(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
-    """The mounting with the arrays for its attributes; each takes the place of its rival."""
-    mounting = case.mounting
+    """The mounting of many cases; what varies takes the place of its rivals."""
     given = {
-        name: arrays.get(f"mounting.{name}", getattr(mounting, name))
+        name: arrays.get(f"mounting.{name}", getattr(case.mounting, name))
         for name in Mounting.model_fields
     }
     for name in MOUNTED_FIELDS:
         if name in arrays:
             rivals = Case.fields()[name].rivals
             given.update((rival.removeprefix("mounting."), None) for rival in rivals)
-    return SimpleNamespace(**given)
+    return MountingParameters(**given)
 
 
-def temperatures_of(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
-    """The temperatures with the arrays for its attributes."""
+def temperatures_of(case: Case, arrays: Mapping[str, FloatArray]) -> PartTemperatures:
+    """The temperatures of the parts in many cases."""
     own = case.temperature or PartTemperatures()
-    return SimpleNamespace(
+    return PartTemperatures(
         **{name: arrays.get(f"temperature.{name}", getattr(own, name)) for name in _PARTS}
     )

@@ -11,7 +11,7 @@ The chain is computed for many bearings at once: what scatters comes as arrays.
 from __future__ import annotations
 
 from math import inf
-from typing import Any, Final, NamedTuple, Protocol, cast
+from typing import Any, Final, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +20,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.temperature import Temperature
 from rolamento.clearance.effects import (
     Finish,
     bore_shrinkage,
@@ -53,56 +54,33 @@ from rolamento.words import marked, said
 _WARMEST: Final = 1000.0
 
 
-class Temperatures(Protocol):
-    """What the clearance reads of temperatures; K, or None."""
-
-    @property
-    def inner_ring(self) -> float | None:
-        """Temperature of the inner ring."""
-        ...
-
-    @property
-    def outer_ring(self) -> float | None:
-        """Temperature of the outer ring."""
-        ...
-
-    @property
-    def balls(self) -> float | None:
-        """Temperature of the balls or rollers; that of the inner ring if None."""
-        ...
-
-    @property
-    def shaft(self) -> float | None:
-        """Temperature of the shaft at its seat; that of the inner ring if None."""
-        ...
-
-    @property
-    def housing(self) -> float | None:
-        """Temperature of the housing at its seat; that of the outer ring if None."""
-        ...
-
-    @property
-    def inner_spacer(self) -> float | None:
-        """Temperature of the spacers between inner rings; that of the shaft if None."""
-        ...
-
-    @property
-    def outer_spacer(self) -> float | None:
-        """Temperature of the spacers between outer rings; that of the housing if None."""
-        ...
-
-
 @frozen
 class PartTemperatures:
-    """Temperatures in operation, in K; see `Temperatures`. Without those of the rings: none."""
+    """Temperatures in operation; K, numbers or arrays (cases,). Without those of the rings: none.
 
-    inner_ring: float | None = None
-    outer_ring: float | None = None
-    balls: float | None = None
-    shaft: float | None = None
-    housing: float | None = None
-    inner_spacer: float | None = None
-    outer_spacer: float | None = None
+    Attributes
+    ----------
+    inner_ring, outer_ring
+        of the rings
+    balls
+        of balls or rollers; those of the inner ring if None
+    shaft, housing
+        at their seats; those of the rings if None
+    inner_spacer, outer_spacer
+        of the spacers between the rings; those of shaft and housing if None
+    """
+
+    inner_ring: Any = None
+    outer_ring: Any = None
+    balls: Any = None
+    shaft: Any = None
+    housing: Any = None
+    inner_spacer: Any = None
+    outer_spacer: Any = None
+
+
+Temperatures = Temperature | PartTemperatures
+"""What the clearance reads temperatures of: the table of a case, or their own record."""
 
 
 class Strains(NamedTuple):
@@ -226,7 +204,7 @@ def assembly_of(
         If the bearing is a set, has no inner ring, does not lie between bore and outside diameter,
         or a temperature or an expansion that is needed is missing.
     """
-    if bearing.is_set:
+    if not bearing.is_one_bearing:
         raise InputError(
             said("is a set: the clearance is that of one of its rows"),
             field="bearing",
@@ -328,7 +306,7 @@ def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
     Parameters
     ----------
     bearing
-        The row, or an object with its attributes as arrays (cases,).
+        The row, or its parameters in many cases.
     strains
         Of its rings and elements; numbers or arrays.
     """
@@ -339,7 +317,15 @@ def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
     pitch = np.asarray(bearing.pitch_diameter * (1.0 + 0.5 * (rings[0] + rings[1])))
     if bearing.bearing_type.has_rollers:
         diameter = np.asarray(bearing.roller_diameter * (1.0 + elements))
-        return {"roller_diameter": diameter, "pitch_diameter": pitch}
+        arcs = {
+            f"{name}_radius": np.asarray(radius * (1.0 + strain))
+            for name, strain in (
+                ("roller_profile", elements), ("inner_raceway", rings[0]),
+                ("outer_raceway", rings[1]),
+            )
+            if (radius := getattr(bearing, f"{name}_radius")) is not None
+        }  # fmt: skip
+        return {"roller_diameter": diameter, "pitch_diameter": pitch, **arcs}
     inner, outer = ((1.0 + ring) / (1.0 + elements) for ring in rings)
     return {
         "ball_diameter": np.asarray(bearing.ball_diameter * (1.0 + elements)),
@@ -353,13 +339,16 @@ def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
     """Diameters of the raceways, what an element takes of the radius between them, the clearance.
 
     All in m, numbers or arrays. Balls: at the bottom of the grooves, D. Rollers, whose axis is at β
-    to the bearing's: d_pw ∓ D_we cos β in the middle of their length, D_we cos β, beside which the
-    clearance is nothing; that of a tapered row counts from first contact.
+    to the bearing's, that of barrels at the contact angle: d_pw ∓ D_we cos β in the middle of their
+    length, D_we cos β, beside which the clearance is nothing; that of a tapered row counts from
+    first contact.
     """
     if bearing.bearing_type.has_rollers:
         lean = 0.0
         if bearing.bearing_type.conical:
             lean = bearing.contact_angle - bearing.roller_half_angle
+        elif bearing.bearing_type.barrels and bearing.contact_angle is not None:
+            lean = bearing.contact_angle
         across = bearing.roller_diameter * np.cos(lean)
         clearance = 0.0 if bearing.bearing_type.conical else bearing.diametral_clearance
         return bearing.pitch_diameter - across, bearing.pitch_diameter + across, across, clearance

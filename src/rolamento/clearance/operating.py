@@ -42,6 +42,7 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.percentiles import percentile
 from rolamento.records import frozen
 from rolamento.units import readable
+from rolamento.validate import generator, one_of, whole_number
 from rolamento.words import Note, said
 
 
@@ -449,23 +450,11 @@ def sample_clearance(
     InputError
         As `operating_clearance`, or if one of these three is out of range.
     """
-    if isinstance(samples, bool) or not 1 <= samples <= _MAX_SAMPLES:
-        raise InputError(
-            said("must be an integer from 1 to {most}", most=_MAX_SAMPLES),
-            field="samples",
-            value=samples,
-        )
-    if isinstance(seed, bool) or not 0 <= seed < 2**128:
-        raise InputError(said("must be a non-negative integer"), field="seed", value=seed)
-    if distribution not in ("normal", "uniform"):
-        raise InputError(
-            said("must be normal or uniform"),
-            field="distribution",
-            value=distribution,
-            example="normal",
-        )
+    whole_number(samples, "samples", 1, _MAX_SAMPLES)
+    random = generator(seed)
+    one_of(distribution, "distribution", ("normal", "uniform"))
     chain = Chain.of(bearing, mounting, temperatures, inner_speed, outer_speed)
-    draws = _Draws(np.random.default_rng(seed), samples, distribution)
+    draws = _Draws(random, samples, distribution)
     initial = draws.over(chain.initial)
     on_shaft = None if chain.shaft is None else draws.total(chain.shaft_parts)
     in_housing = None if chain.housing is None else draws.total(chain.housing_parts)

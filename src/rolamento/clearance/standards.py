@@ -16,6 +16,7 @@ from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.units import MICROMETRE, MILLIMETRE, readable
+from rolamento.validate import one_of
 from rolamento.words import said
 
 Limit = Literal["minimum", "mean", "maximum"]
@@ -123,13 +124,7 @@ def class_clearance(bore: float, clearance_class: str, table: str = "") -> Band:
         If there is no such class, or its source has none for this bore.
     """
     data = _table(table)
-    if clearance_class not in data["classes"]:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(data["classes"])),
-            field="clearance_class",
-            value=clearance_class,
-            example='clearance_class = "C3"',
-        )
+    one_of(clearance_class, "clearance_class", data["classes"], 'clearance_class = "C3"')
     step = step_of(bore, data["bore_mm"], field="bore", standard=CLEARANCE_SOURCE)
     pair = data["classes"][clearance_class][step]
     begin = data.get("from_mm", {}).get(clearance_class, 0.0) * MILLIMETRE * (1.0 - _ROUNDING)

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import one_of
 from rolamento.words import said
 
 WearLaw = Literal["running_in", "running_in_and_steady", "power"]
@@ -198,13 +199,7 @@ def _standard_errors(jacobian: FloatArray, variance: float, active: FloatArray) 
 
 
 def _checked(time: ArrayLike, clearance: ArrayLike, law: WearLaw) -> tuple[FloatArray, FloatArray]:
-    if law not in _LAWS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(_LAWS)),
-            field="law",
-            value=law,
-            example="running_in",
-        )
+    one_of(law, "law", _LAWS, "running_in")
     t, c = (np.asarray(values, dtype=np.float64) for values in (time, clearance))
     if t.ndim != 1 or t.shape != c.shape or len(t) > _MOST_POINTS:
         raise InputError(

@@ -16,9 +16,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
+from rolamento.validate import numbers
 
 __all__ = [
     "VACUUM",

@@ -19,12 +19,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import in_reach
 from rolamento.io.data import toml_of
 from rolamento.lubrication.films import lubricant_of, oil_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Solved
+from rolamento.validate import within
 
 SLIDING_FULL_FILM: Final[Mapping[str, float]] = {
     "mineral": 0.05,
@@ -97,9 +97,9 @@ def boundary_share(viscosity: ArrayLike, speed: ArrayLike, mean_diameter: ArrayL
 
     SKF, Rolling bearings (10000 EN, 2013), frictional moment.
     """
-    nu = 1e6 * in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
-    n = _RPM * in_reach(speed, "speed", "rad/s", 0.0, 1e9)
-    mean = 1e3 * in_reach(mean_diameter, "mean_diameter", "m", 0.0, 1e3)
+    nu = 1e6 * within(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    n = _RPM * within(speed, "speed", "rad/s", 0.0, 1e9)
+    mean = 1e3 * within(mean_diameter, "mean_diameter", "m", 0.0, 1e3)
     return np.asarray(np.exp(-2.6e-8 * (n * nu) ** 1.4 * mean))
 
 

@@ -131,7 +131,7 @@ def harris_1971(solved: Solved, coefficient: ArrayLike) -> Torque:
     -------
     Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
     """
-    mu = checked_coefficient(coefficient, "friction_coefficient")
+    mu = checked_coefficient(coefficient, "friction_coefficient", len(solved))
     inner, outer, chosen = loaded_contacts(solved)
     parts = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
     converged = np.ones(chosen.shape, np.bool_)

@@ -51,7 +51,7 @@ def jones_control(
     -------
     Torque; parts "spin" and "rolling_slip". A case with a ball that did not converge is NaN.
     """
-    mu = checked_coefficient(coefficient, "friction_coefficient")
+    mu = checked_coefficient(coefficient, "friction_coefficient", len(solved))
     mesh = ellipse_mesh() if mesh is None else mesh
     held = controlling_race(solved, control)
     directions = _allowed_directions(solved, held)

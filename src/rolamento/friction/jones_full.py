@@ -54,7 +54,7 @@ def jones_full_motion(
 
     Parameters as of `jones_full`; the motion is None where no ball is loaded.
     """
-    mu = checked_coefficient(coefficient, "friction_coefficient")
+    mu = checked_coefficient(coefficient, "friction_coefficient", len(solved))
     mesh = ellipse_mesh() if mesh is None else mesh
     start = unit_motion(solved, controlling_race(solved, "jones"))
     free = np.broadcast_to(np.eye(3), (*solved.inner.load.shape, 3, 3))

@@ -49,7 +49,7 @@ def jones_simplified(
     -------
     Torque; parts "spin" and "rolling_slip".
     """
-    mu = checked_coefficient(coefficient, "friction_coefficient")
+    mu = checked_coefficient(coefficient, "friction_coefficient", len(solved))
     if motion is None:
         motion = unit_motion(solved, controlling_race(solved, control))
     losses = {

@@ -19,9 +19,9 @@ from rolamento.friction.coefficient import Coefficient
 from rolamento.friction.traction import EllipseMesh
 from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.numerics.masked import filled
 from rolamento.records import frozen
 from rolamento.solved import Contacts, Solved
+from rolamento.validate import numbers, one_of, within
 from rolamento.words import Note, said
 
 if TYPE_CHECKING:
@@ -435,13 +435,7 @@ def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64
     InputError
         For any other word.
     """
-    if control not in _CONTROLS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(_CONTROLS)),
-            field="control",
-            value=control,
-            example='control = "jones"',
-        )
+    one_of(control, "control", _CONTROLS, 'control = "jones"')
     inner, outer = (race.resistance_to_spin for race in solved.contacts.values())
     if control in ("inner", "outer"):
         return np.full(inner.shape, 1 if control == "outer" else -1, dtype=np.int64)
@@ -488,61 +482,16 @@ def hysteresis_loss(solved: Solved, motion: BallMotion, loss: FloatArray) -> Con
 # --- checks -----------------------------------------------------------------------------------
 
 
-def checked_coefficient(value: ArrayLike, name: str, maximum: float = 1.0) -> FloatArray:
-    """A coefficient for every case, as a column (cases or 1, 1).
+def checked_coefficient(value: ArrayLike, name: str, cases: int) -> FloatArray:
+    """A coefficient from 0 to 1, one number or one for each case, as a column (cases, 1).
 
     Raises
     ------
     InputError
-        If it is not a number, or an array of them over cases, from 0 to the maximum.
+        If it is not.
     """
-    array = checked_numbers(value, name)
-    if array.ndim > 1 or not np.all((array >= 0.0) & (array <= maximum)):
-        raise InputError(
-            said("must be from 0 to {most:.6g}, one number or one for each case", most=maximum),
-            field=name,
-            value=value if array.ndim == 0 else "an array",
-            example=f"{name} = 0.1",
-        )
-    return array.reshape(-1, 1)
-
-
-def checked_positive(value: ArrayLike, name: str, *, zero: bool = False) -> FloatArray:
-    """Numbers above zero (or zero as well) as an array.
-
-    Raises
-    ------
-    InputError
-        If one is not.
-    """
-    array = checked_numbers(value, name)
-    fine = np.isfinite(array) & ((array >= 0.0) if zero else (array > 0.0))
-    if not np.all(fine):
-        raise InputError(
-            (said("must be a non-negative number") if zero else said("must be a positive number")),
-            field=name,
-            value=value if array.ndim == 0 else "an array",
-        )
-    return array
-
-
-def checked_numbers(value: ArrayLike, name: str) -> FloatArray:
-    """Numbers as an array, NaN where they are masked.
-
-    Raises
-    ------
-    InputError
-        If they are none.
-    """
-    try:
-        return filled(value)
-    except (TypeError, ValueError):
-        raise InputError(
-            said("must be a number or an array of numbers"),
-            field=name,
-            value=value if isinstance(value, str) else type(value).__name__,
-            example=f"{name} = 0.1",
-        ) from None
+    array = within(value, name, "", 0.0, 1.0, example=f"{name} = 0.1", nan_too=False)
+    return over_cases(array, name, cases)
 
 
 def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
@@ -553,10 +502,10 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     InputError
         If there are neither one nor as many as there are cases.
     """
-    array = checked_numbers(value, name).reshape(-1, 1)
-    if len(array) not in (1, cases):
+    array = numbers(value, name)
+    if array.ndim > 1 or array.size not in (1, cases):
         raise InputError(
             said("must be one number, or one for each of the {cases} cases", cases=cases),
             field=name,
         )
-    return np.broadcast_to(array, (cases, 1))
+    return np.broadcast_to(array.reshape(-1, 1), (cases, 1))

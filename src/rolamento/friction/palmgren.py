@@ -23,7 +23,6 @@ from typing import TYPE_CHECKING, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError
 from rolamento.friction.model import (
     RIB_LOAD_SHARE,
     Setting,
@@ -31,8 +30,6 @@ from rolamento.friction.model import (
     TorqueModel,
     added,
     bearing_load,
-    checked_numbers,
-    checked_positive,
     limits_of_lubricated_bearings,
     relative_speed,
     torque_of_parts,
@@ -40,7 +37,8 @@ from rolamento.friction.model import (
 from rolamento.io.data import toml_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.words import marked, said
+from rolamento.validate import numbers, one_of, positive
+from rolamento.words import marked
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
@@ -192,20 +190,16 @@ def palmgren(
         For an unknown word, or a number out of range.
     """
     own = _constants(kind)
-    if lubrication not in own.f0:
-        known = ", ".join(own.f0)
-        raise InputError(
-            said("must be one of {known}", known=known), field="lubrication", value=lubrication
-        )
+    one_of(lubrication, "lubrication", own.f0)
     if own.by_cotangent:
-        checked_positive(contact_angle, "contact_angle")
-    turning = np.atleast_1d(checked_numbers(speed, "speed"))
-    diameter = checked_positive(mean_diameter, "mean_diameter")
-    viscosity = checked_positive(kinematic_viscosity, "kinematic_viscosity")
-    ratio = checked_positive(static_load_ratio, "static_load_ratio", zero=True)
+        positive(contact_angle, "contact_angle", finite=True)
+    turning = np.atleast_1d(numbers(speed, "speed"))
+    diameter = positive(mean_diameter, "mean_diameter", finite=True)
+    viscosity = positive(kinematic_viscosity, "kinematic_viscosity", finite=True)
+    ratio = positive(static_load_ratio, "static_load_ratio", zero=True, finite=True)
     radial, axial = (
-        checked_numbers(radial_load, "radial_load"),
-        checked_numbers(axial_load, "axial_load"),
+        numbers(radial_load, "radial_load"),
+        numbers(axial_load, "axial_load"),
     )
     load = friction_load(radial, axial, kind, contact_angle)
     factor = own.f0[lubrication] if f0 is None else f0
@@ -221,10 +215,7 @@ def palmgren(
 
 def _constants(kind: str) -> Constants:
     known = constants_by_type()
-    if kind not in known:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(known)), field="kind", value=kind
-        )
+    one_of(kind, "kind", known)
     return known[kind]
 
 

@@ -23,12 +23,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.model import ContactLoss, bears_on_both, checked_positive
+from rolamento.friction.model import ContactLoss, bears_on_both
 from rolamento.friction.slip import Patch, solved_motion
 from rolamento.geometry import Race
 from rolamento.lubrication.films import has_film, resistance_left
 from rolamento.numerics import FloatArray
 from rolamento.solved import RACES, Solved
+from rolamento.validate import positive
 
 
 def rolling_force(
@@ -81,7 +82,7 @@ def rolling_resistance_loss(solved: Solved, viscosity: ArrayLike) -> ContactLoss
     InputError
         If a viscosity is negative.
     """
-    eta = checked_positive(viscosity, "dynamic_viscosity", zero=True).reshape(-1, 1)
+    eta = positive(viscosity, "dynamic_viscosity", zero=True, finite=True).reshape(-1, 1)
     eta = np.broadcast_to(eta, (len(solved), 1))
     return ContactLoss(*(_loss_of_race(solved, race, eta) for race in RACES))
 

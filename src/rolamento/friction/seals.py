@@ -30,7 +30,6 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.case.losses import Losses
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.errors import InputError
@@ -42,6 +41,7 @@ from rolamento.lubrication.films import Film
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen, span
 from rolamento.solved import Solved
+from rolamento.validate import numbers
 from rolamento.words import Note, said
 
 __all__ = [

@@ -81,8 +81,6 @@ from rolamento.friction.model import (
     TorqueModel,
     added,
     bearing_load,
-    checked_numbers,
-    checked_positive,
     limits_of_lubricated_bearings,
     relative_speed,
     torque_of_parts,
@@ -97,6 +95,7 @@ from rolamento.lubrication.film_thickness import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.types import TYPES
+from rolamento.validate import numbers, one_of, positive
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -164,10 +163,7 @@ def series_constants(kind: str, series: str = "") -> SkfConstants:
     if found is not None:
         return found
     formulas = toml_of("skf_friction")["formulas"]
-    if kind not in formulas:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(formulas)), field="kind", value=kind
-        )
+    one_of(kind, "kind", formulas)
     raise InputError(
         said(
             "is not a series of such bearings in SKF's table; {guess}",
@@ -252,16 +248,16 @@ def skf_moment(
     InputError
         For an unknown word, or a number that is missing or out of range.
     """
-    turning = np.abs(checked_numbers(speed, "speed"))
-    bore = checked_positive(bore_diameter, "bore_diameter")
-    outside = checked_positive(outside_diameter, "outside_diameter")
-    viscosity = checked_positive(kinematic_viscosity, "kinematic_viscosity")
+    turning = np.abs(numbers(speed, "speed"))
+    bore = positive(bore_diameter, "bore_diameter", finite=True)
+    outside = positive(outside_diameter, "outside_diameter", finite=True)
+    viscosity = positive(kinematic_viscosity, "kinematic_viscosity", finite=True)
     _known(REPLENISHMENT, supply, "supply")
     replenished = replenishment(viscosity, turning, bore, outside, supply, kind=constants.k_z)
     diameter = 0.5 * (bore + outside)
     n, nu, mean = _RPM * turning, 1e6 * viscosity, 1e3 * diameter
-    fr = np.abs(checked_numbers(radial_load, "radial_load"))
-    fa = np.abs(checked_numbers(axial_load, "axial_load"))
+    fr = np.abs(numbers(radial_load, "radial_load"))
+    fa = np.abs(numbers(axial_load, "axial_load"))
     given = _Given(constants, mean, fr, fa, n, static_load_rating, axial_factor)
     rolling, sliding = _FORMULAS[toml_of("skf_friction")["formulas"][constants.kind]](given)
     heating = skf_inlet_heating(viscosity, turning, diameter)
@@ -314,7 +310,7 @@ def _grooves(g: _Given) -> _Both:
             field="static_load_rating",
             example="static_load_rating = 7800.0",
         )
-    c0 = checked_positive(1.0 if g.rating is None else g.rating, "static_load_rating")
+    c0 = positive(1.0 if g.rating is None else g.rating, "static_load_rating", finite=True)
     angle = np.radians(24.6) * (np.where(axial, fa, c0) / c0) ** 0.24
     sine = np.sin(angle)
     pushed = np.where(axial, fa, 0.0)
@@ -356,7 +352,7 @@ def _cones(g: _Given) -> _Both:
             field="axial_factor",
             example="axial_factor = 1.6",
         )
-    pushed = checked_positive(g.factor, "axial_factor") * g.fa
+    pushed = positive(g.factor, "axial_factor", finite=True) * g.fa
     rolling = g.c.r1 * g.mean**2.38 * (g.fr + g.c.r2 * pushed) ** 0.31
     return rolling, g.c.s1 * g.mean**0.82 * (g.fr + g.c.s2 * pushed)
 
@@ -402,10 +398,7 @@ _FORMULAS: Final[Mapping[str, Callable[[_Given], _Both]]] = {
 
 
 def _known(table: Mapping[Any, float], word: str, field: str) -> float:
-    if word not in table:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(table)), field=field, value=word
-        )
+    one_of(word, field, table)
     return table[word]
 
 

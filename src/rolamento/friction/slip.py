@@ -29,12 +29,12 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import in_reach
 from rolamento.geometry import Race
 from rolamento.kinematics import spin_resistance
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Contacts, Solved
+from rolamento.validate import within
 
 _FASTEST: Final = 1e9
 """rad/s, far beyond any bearing: a number above has the wrong unit."""
@@ -204,7 +204,7 @@ def relative_motion(patch: Patch, ball: BallVelocity, ring_speed: ArrayLike) -> 
 
 
 def _speed(value: ArrayLike, field: str) -> FloatArray:
-    return in_reach(value, field, "rad/s", -_FASTEST, _FASTEST)
+    return within(value, field, "rad/s", -_FASTEST, _FASTEST)
 
 
 def solved_motion(solved: Solved, race: Race, *, yawing: bool = True) -> RelativeMotion:
@@ -315,7 +315,7 @@ def maximum_pressure_slip(patch: Patch, motion: RelativeMotion) -> PressureSlip:
     -------
     PressureSlip of that shape, the value to about 1e-9 of itself; NaN without a contact.
     """
-    in_reach(patch.load, "patch.load", "N", 0.0, 1e12)
+    within(patch.load, "patch.load", "N", 0.0, 1e12)
     shape = motion.roll.shape
     centre_u, centre_v = np.zeros(shape), np.zeros(shape)
     best = np.full(shape, -1.0)

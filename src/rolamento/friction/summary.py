@@ -29,7 +29,6 @@ from rolamento.friction.model import (
     Torque,
     TorqueModel,
     checked_coefficient,
-    checked_positive,
     hysteresis_loss,
     over_cases,
     relative_speed,
@@ -52,6 +51,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.records import frozen, span
 from rolamento.solved import Solved, refuse_other
+from rolamento.validate import one_of, positive
 from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
 
@@ -340,13 +340,7 @@ def friction(
     """
     refuse_other(solved, "friction")
     model = default_model(solved) if model is None else model
-    if model not in (*CONTACT_MODELS, ROLLER_MODEL):
-        raise InputError(
-            said("must be one of {known}", known=", ".join((*CONTACT_MODELS, ROLLER_MODEL))),
-            field="model",
-            value=model,
-            example=arguments(model="jones_full"),
-        )
+    one_of(model, "model", (*CONTACT_MODELS, ROLLER_MODEL), arguments(model="jones_full"))
     mu = friction_coefficient
     if mu is None:
         mu = solved.field("lubricant.friction_coefficient")
@@ -362,7 +356,7 @@ def friction(
         known = np.nan
 
     def column(value: ArrayLike, name: str) -> FloatArray:
-        return over_cases(checked_coefficient(value, name), name, len(solved))
+        return checked_coefficient(value, name, len(solved))
 
     cases = len(solved)
     if mu is None:
@@ -373,7 +367,7 @@ def friction(
         static_mu = mu if static_coefficient is None else static_coefficient
     machines = () if machine is None else machine
     if viscosity is not None:
-        checked_positive(viscosity, "dynamic_viscosity", zero=True)
+        positive(viscosity, "dynamic_viscosity", zero=True, finite=True)
         viscosity = over_cases(viscosity, "dynamic_viscosity", cases)
     setting = Setting(
         solved,

@@ -55,7 +55,7 @@ def todd(
     -------
     Torque; parts "spin", "rolling_slip" and "hysteresis".
     """
-    mu = checked_coefficient(coefficient, "friction_coefficient")
+    mu = checked_coefficient(coefficient, "friction_coefficient", len(solved))
     held = controlling_race(solved, control)
     motion = unit_motion(solved, held)
     inner_roll = np.where(held < 0, motion.inner_roll, 0.0)
@@ -69,7 +69,7 @@ def todd(
         ),
     }
     if hysteresis is not None:
-        lost = checked_coefficient(hysteresis, "hysteresis")
+        lost = checked_coefficient(hysteresis, "hysteresis", len(solved))
         losses["hysteresis"] = hysteresis_loss(solved, motion, lost)
     return torque_of_losses(MODEL.name, solved, losses)
 

@@ -8,9 +8,9 @@ from typing import Any, Final
 
 from rolamento.case.grease import BaseOil, Thickener
 from rolamento.io.data import toml_of
-from rolamento.life.record import finite
 from rolamento.records import frozen
 from rolamento.units import RPM, ZERO_CELSIUS
+from rolamento.validate import finite
 from rolamento.words import Note
 
 __all__ = ["GreaseDuty", "GreaseLife", "GreaseModel", "l10_of_mean", "life_of_mean"]

@@ -26,9 +26,9 @@ from math import isnan, nan, sqrt
 from typing import Any
 
 from rolamento.grease.estimate import MILLIMETRES, figures
-from rolamento.life.record import finite
 from rolamento.records import frozen
 from rolamento.units import RPM
+from rolamento.validate import finite
 
 __all__ = ["Interval", "base_interval", "fag_interval", "intervals", "noria_interval",
            "skf_interval"]  # fmt: skip

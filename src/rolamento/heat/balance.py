@@ -821,7 +821,7 @@ def _of_mounting(case: Case) -> tuple[Note, ...]:
     """What `rolamento.solve` says of the fits of a single case, but for stages of the preload."""
     if case.mounting is None:
         return ()
-    if case.bearing.is_set:
+    if not case.bearing.is_one_bearing:
         return notes_on_set(case, ())
     return clearance_notes(clearance_of_case(case))
 

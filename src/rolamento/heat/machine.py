@@ -452,7 +452,7 @@ class _Balance:
     def solved(self, temperatures: FloatArray) -> SolvedMachine:
         """The machine at temperatures (bearings, 5)."""
         cases, shifts = self.cases_at(temperatures), self.shifts_at(temperatures)
-        return solve_machines((self.machine,), cases=cases, shifts=shifts)[0]
+        return solve_machines((self.machine,), cases=cases, shifts=shifts)
 
     def friction_of(self, solved: SolvedMachine) -> FloatArray:
         """Mean friction of each bearing over the spectrum, (bearings,), W."""

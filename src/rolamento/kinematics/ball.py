@@ -35,13 +35,13 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._reach import in_reach
 from rolamento.geometry import Angle, AngleLike, Race
 from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import choose, inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.elliptic import complete
 from rolamento.records import frozen
+from rolamento.validate import within
 
 LEAST_COSINE: Final = -0.5
 """Bound of cos(α_i - α_o): no ball that carries load comes near angles 120° apart, and without
@@ -486,19 +486,19 @@ def surface_speeds(
     Derivation in docs/theory/film.md.
     """
     side = -1.0 if race == "inner" else 1.0
-    radius = side * 0.5 * in_reach(ball_diameter, "ball_diameter", "m", 0.0, 1e3)
+    radius = side * 0.5 * within(ball_diameter, "ball_diameter", "m", 0.0, 1e3)
     given = contact_angle.value if isinstance(contact_angle, Angle) else contact_angle
-    checked = in_reach(given, "contact_angle", "rad", -_TURN, _TURN)
+    checked = within(given, "contact_angle", "rad", -_TURN, _TURN)
     angle = contact_angle if isinstance(contact_angle, Angle) else Angle(checked)
-    beta = in_reach(attitude, "attitude", "rad", -_TURN, _TURN)
-    pitch = in_reach(pitch_diameter, "pitch_diameter", "m", 0.0, 1e3)
-    orbit = in_reach(orbital_speed, "orbital_speed", "rad/s", -_FASTEST, _FASTEST)
-    turning = in_reach(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST)
-    aside = in_reach(yaw, "yaw", "rad", -_TURN, _TURN)
+    beta = within(attitude, "attitude", "rad", -_TURN, _TURN)
+    pitch = within(pitch_diameter, "pitch_diameter", "m", 0.0, 1e3)
+    orbit = within(orbital_speed, "orbital_speed", "rad/s", -_FASTEST, _FASTEST)
+    turning = within(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST)
+    aside = within(yaw, "yaw", "rad", -_TURN, _TURN)
     tangent = np.cos(beta - angle.value)
     if aside.any():
         tangent = tangent - np.cos(beta) * angle.cosine * (1.0 - np.cos(aside))
-    own = in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST)
+    own = within(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST)
     speeds = of_each(
         _surfaces, _fill_surfaces, 2, radius, pitch, angle.cosine, turning, orbit, own, tangent
     )

@@ -41,9 +41,9 @@ from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import (
-    GROOVES,
     INNER_GROOVE,
     Ratings,
+    UnratedError,
     has_steel_elements,
     nominal_contact_angle,
     ratings_of,
@@ -51,6 +51,7 @@ from rolamento.life.row_ratings import (
     within_rating,
 )
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.ratings import rated_as
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
@@ -572,9 +573,7 @@ def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
     rows = solved.rows
     try:
         basis = Basis.of(solved, conditions_of(solved))
-    except InputError as error:
-        if error.field not in ("bearing.contact_angle", "dynamic_rating"):
-            raise
+    except UnratedError:
         nothing = np.full((len(solved), 1), np.nan)
         return nothing, nothing
     ratings, loads = basis.ratings, basis.loads
@@ -621,7 +620,7 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     cases, rows = len(solved), solved.rows
     inner, outer = rows.inner_conformity, rows.outer_conformity
     # rollers have no grooves: NaN, neither open nor close
-    most = np.array([GROOVES.get(kind, (np.inf, np.inf)) for kind in row_kinds(solved)])
+    most = np.array([rated_as(kind)["conformities"] for kind in row_kinds(solved)])
     opened = (inner > most[:, 0] + _GROOVE_MARGIN) | (outer > most[:, 1] + _GROOVE_MARGIN)
     closed = (inner < INNER_GROOVE - _GROOVE_MARGIN) | (outer < INNER_GROOVE - _GROOVE_MARGIN)
     hot = np.zeros(cases, dtype=np.bool_)

@@ -13,7 +13,6 @@ from rolamento.case import Case
 from rolamento.case.life_model import LEVELS, LifeModel, TallianFactors
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.errors import InputError
-from rolamento.life._figures import positive, within
 from rolamento.life.contamination import (
     ContaminationClass,
     ContaminationLevel,
@@ -29,6 +28,7 @@ from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Solved
+from rolamento.validate import positive, within
 from rolamento.words import said
 
 FatigueLoad = Literal["contacts", "estimate"]
@@ -136,7 +136,15 @@ class LifeConditions:
                 example="viscosity_ratio = 1.5",
             )
         if not isinstance(self.contamination, ContaminationClass | ContaminationLevel | None):
-            within(self.contamination, "contamination", 0.0, 1.0, "contamination = 0.5")
+            within(
+                self.contamination,
+                "contamination",
+                "",
+                0.0,
+                1.0,
+                example="contamination = 0.5",
+                nan_too=False,
+            )
         if isinstance(self.fatigue_load_limit, str):
             if self.fatigue_load_limit not in ("contacts", "estimate"):
                 raise InputError(

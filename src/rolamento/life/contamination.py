@@ -20,10 +20,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError, guess
+from rolamento.io.data import toml_of
 from rolamento.iso4406 import cleanliness_numbers
-from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import one_of, positive
 from rolamento.words import said
 
 OilSupply = Literal["circulating", "bath"]
@@ -76,7 +77,7 @@ def level_of(name: str) -> ContaminationLevel:
     InputError
         For another word.
     """
-    rows = {row["name"]: row for row in figures()["contamination"]["level"]}
+    rows = {row["name"]: row for row in toml_of("iso281")["contamination"]["level"]}
     if name not in rows:
         raise InputError(
             said("is an unknown class; {guess}", guess=guess(str(name), rows)),
@@ -96,15 +97,9 @@ def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:
     InputError
         For a malformed code, an oil dirtier than all classes, or an unknown supply.
     """
-    if supply not in get_args(OilSupply):
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(OilSupply))),
-            field="supply",
-            value=supply,
-            example='supply = "circulating"',
-        )
+    one_of(supply, "supply", get_args(OilSupply), 'supply = "circulating"')
     _, six, fourteen = cleanliness_numbers(code)
-    rows = figures()["contamination"][supply]
+    rows = toml_of("iso281")["contamination"][supply]
     for row in rows:
         _, most_six, most_fourteen = cleanliness_numbers(row["name"])
         if six <= most_six and fourteen <= most_fourteen:
@@ -135,7 +130,7 @@ def class_of_filter(size: float, ratio: float) -> ContaminationClass:
     """
     micrometres = float(positive(size, "filter_size")) * 1e6
     beta = float(positive(ratio, "filter_ratio"))
-    for row in figures()["contamination"]["circulating"]:
+    for row in toml_of("iso281")["contamination"]["circulating"]:
         if micrometres <= row["filter_size"] * (1.0 + 1e-9) and beta >= row["filter_ratio"]:
             return _class(row, "circulating")
     raise InputError(
@@ -154,7 +149,7 @@ def class_of_grease(level: str) -> ContaminationClass:
     InputError
         For another word.
     """
-    rows = {row["name"]: row for row in figures()["contamination"]["grease"]}
+    rows = {row["name"]: row for row in toml_of("iso281")["contamination"]["grease"]}
     if level not in rows:
         raise InputError(
             said("is an unknown class; {guess}", guess=guess(str(level), rows)),

@@ -28,12 +28,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.errors import InputError
-from rolamento.life._figures import figures, positive
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RatedType, RollerRated
 from rolamento.records import frozen
+from rolamento.validate import numbers, positive
 from rolamento.words import said
 
 MAXIMUM_ANGLE: Final = float(np.radians(45.0))
@@ -189,7 +189,7 @@ def static_equivalent_load(
         return np.asarray(
             np.where(np.isinf(tangent), axial, 2.3 * radial * _finite(tangent) + axial)
         )
-    table = figures()["static_equivalent_load"]
+    table = toml_of("iso281")["static_equivalent_load"]
     degrees = np.degrees(_angle(contact_angle))
     names = ("X02", "Y02") if double_row else ("X0", "Y0")
     x, y = (np.interp(degrees, table["contact_angle_deg"], table[name]) for name in names)
@@ -210,7 +210,7 @@ def axial_ratings(
     table 3; ISO 76:2006, table 2.
     """
     factors = load_factors(contact_angle, 0.0)
-    table = figures()["static_equivalent_load"]
+    table = toml_of("iso281")["static_equivalent_load"]
     static = np.interp(np.degrees(_angle(contact_angle)), table["contact_angle_deg"], table["Y0"])
     return (
         np.asarray(positive(dynamic_rating, "dynamic_rating") / factors.axial),
@@ -293,7 +293,7 @@ def _factors_of_rollers(
             np.where(right, end, own) for end, own in zip((0, 1), below, strict=True)
         )
         return LoadFactors(x_below, y_below, slope, ones, 1.5 * slope)
-    ribs = figures()["equivalent_load_of_ribs"]["wide" if wide else "narrow"]
+    ribs = toml_of("iso281")["equivalent_load_of_ribs"]["wide" if wide else "narrow"]
     flat, cotangent = tangent == 0.0, _cotangent(contact_angle)
     x = _ROLLER_DOUBLE if double_row else _ROLLER_SINGLE
     return LoadFactors(
@@ -378,7 +378,7 @@ def _interpolated(
 @cache
 def _table(name: str) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Contact angles (degrees), a factor (angles, loads) and the relative axial loads (MPa)."""
-    data: dict[str, Any] = figures()["equivalent_load"]
+    data: dict[str, Any] = toml_of("iso281")["equivalent_load"]
     loads = np.array(data["relative_axial_load"])
     same = _SAME_AS.get(name, name)  # where a line does not tell its own
     rows = [

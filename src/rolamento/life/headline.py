@@ -27,9 +27,10 @@ from numpy.typing import NDArray
 from rolamento.life.basis import Basis
 from rolamento.life.iso281_modified import MAXIMUM_RATIO, MINIMUM_RATIO
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
-from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite, note_of
+from rolamento.life.record import BOUNDS, OUTSIDE, Life, note_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen, span
+from rolamento.validate import finite
 from rolamento.words import Note
 
 __all__ = ["Headline", "headline_of"]

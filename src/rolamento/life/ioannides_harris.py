@@ -29,15 +29,14 @@ from typing import TYPE_CHECKING, Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.contact.subsurface import orthogonal_shear
 from rolamento.errors import InputError
-from rolamento.life._figures import positive
 from rolamento.life.iso16281 import SLOPE, ReferenceLife, system_life
 from rolamento.life.shear_field import FieldMesh, shear_integrals
 from rolamento.life.theory import OF_BEARING, Theory
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import numbers, positive
 from rolamento.words import said
 
 if TYPE_CHECKING:

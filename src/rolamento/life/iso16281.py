@@ -34,13 +34,12 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.errors import InputError
-from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RatedType
 from rolamento.records import frozen
+from rolamento.validate import numbers, positive
 from rolamento.words import said
 
 if TYPE_CHECKING:

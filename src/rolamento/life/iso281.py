@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
-from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_EQUIVALENT_LOAD, Theory
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.validate import numbers, positive
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.life._figures import positive
 from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.theory import OF_BEARING, OF_EQUIVALENT_LOAD, Need, Theory
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.validate import positive
 from rolamento.words import marked
 
 if TYPE_CHECKING:

@@ -25,11 +25,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.contact.line import EXPONENT, contact_constant
 from rolamento.geometry import Race, race_curvature
-from rolamento.life._figures import figures, positive
+from rolamento.io.data import toml_of
 from rolamento.life.contamination import ContaminationLevel
 from rolamento.life.theory import (
     CLEANLINESS,
@@ -41,6 +40,7 @@ from rolamento.life.theory import (
 )
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import RatedType
+from rolamento.validate import numbers, positive
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -295,7 +295,7 @@ def _factor(ratio: FloatArray, strength: FloatArray) -> FloatArray:
     """a_ISO by κ and e_C C_u/P; NaN outside the standard, 50 where no stress hurts."""
     ratio, strength = np.broadcast_arrays(np.minimum(ratio, MAXIMUM_RATIO), strength)
     lubrication = np.full(ratio.shape, np.nan)
-    for row in figures()["modification_factor"]["ranges"]:
+    for row in toml_of("iso281")["modification_factor"]["ranges"]:
         own = (ratio >= row["from"]) & (ratio <= row["to"])
         lubrication[own] = (2.5671 - row["c"] / ratio[own] ** row["p"]) ** 0.83
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -308,7 +308,7 @@ def _roller_factor(ratio: FloatArray, strength: FloatArray) -> FloatArray:
     """a_ISO of rollers, likewise."""
     ratio, strength = np.broadcast_arrays(np.minimum(ratio, MAXIMUM_RATIO), strength)
     lubrication = np.full(ratio.shape, np.nan)
-    for row in figures()["roller_modification_factor"]["ranges"]:
+    for row in toml_of("iso281")["roller_modification_factor"]["ranges"]:
         own = (ratio >= row["from"]) & (ratio <= row["to"])
         # 1e-5 below zero at κ = 0.1, by the rounding of the constants
         lubrication[own] = np.maximum(1.5859 - row["c"] / ratio[own] ** row["p"], 0.0)

@@ -24,9 +24,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.errors import FileError, InputError
-from rolamento.life._figures import positive
 from rolamento.life.iso281 import load_notes
 from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.life.iso16281 import SLOPE
@@ -39,6 +37,7 @@ from rolamento.life.theory import (
 )
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
+from rolamento.validate import numbers, positive
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:

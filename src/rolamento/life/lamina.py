@@ -32,12 +32,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.errors import InputError
-from rolamento.life._figures import positive
 from rolamento.life.iso16281 import ROLLER_SLOPE, RaceRatings
 from rolamento.numerics import FloatArray
 from rolamento.ratings.rollers import REDUCTION, THRUST_REDUCTION, roller_race_shares
+from rolamento.validate import numbers, positive
 from rolamento.words import said
 
 EXPONENT: Final = 4.0
@@ -121,9 +120,7 @@ def equivalent_slice_load(load: ArrayLike, *, turning: ArrayLike) -> FloatArray:
     fourth = np.square(np.square(part))
     turned = fourth.mean(axis=-2) ** (1.0 / EXPONENT)
     stood = (fourth * np.sqrt(part)).mean(axis=-2) ** (1.0 / _RISK)
-    return np.asarray(
-        scale[..., 0] * np.where(numbers(turning, "turning")[..., None], turned, stood)
-    )
+    return np.asarray(scale[..., 0] * np.where(np.asarray(turning)[..., None], turned, stood))
 
 
 def lamina_life(

@@ -22,13 +22,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.contact.line import EXPONENT as LINE
-from rolamento.life._figures import positive
 from rolamento.life.iso16281 import ROLLER_SLOPE, RaceRatings, race_life, system_life
 from rolamento.life.lamina import EXPONENT as LAMINA_EXPONENT
 from rolamento.numerics import FloatArray
 from rolamento.static.sjovall import sjovall_radial
+from rolamento.validate import numbers, positive
 
 NO_CLEARANCE: Final = 0.5
 _CATALOGUE: Final = 0.00044

@@ -41,21 +41,19 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.errors import InputError
-from rolamento.life._figures import positive
 from rolamento.life.basis import Basis
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.iso16281 import EXPONENT, SLOPE, system_life
 from rolamento.life.lamina import EXPONENT as LINE_EXPONENT
 from rolamento.life.lamina import edge_factor
-from rolamento.life.record import finite
 from rolamento.life.row_ratings import nominal_contact_angle
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen, span
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.units import DEGREES
+from rolamento.validate import finite, numbers, positive
 from rolamento.words import Note, said
 
 __all__ = [

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
-from math import isfinite
 from typing import Any, Final
 
 import numpy as np
@@ -15,6 +14,7 @@ import numpy as np
 from rolamento.life.iso16281 import ROLLER_SLOPE, SLOPE
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
+from rolamento.validate import finite
 from rolamento.words import Note
 
 OUTSIDE: Final = frozenset(
@@ -158,8 +158,3 @@ class Life:
             "upper_bound": bool(self.below[case]),
             "notes": [note.to_mapping() for note in self.notes_of(case)],
         }
-
-
-def finite(value: float) -> float | None:
-    """Return a number as JSON has it: None where there is none."""
-    return float(value) if isfinite(value) else None

@@ -19,11 +19,8 @@ from typing import Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
-from rolamento.errors import InputError
-from rolamento.life._figures import positive, within
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.words import said
+from rolamento.validate import numbers, one_of, positive, within
 
 Edition = Literal["2007", "1990"]
 
@@ -56,7 +53,15 @@ def reliability_factor(reliability: ArrayLike, edition: Edition = "2007") -> Flo
     >>> print(f"{reliability_factor(0.95):.2f}")
     0.64
     """
-    s = within(reliability, "reliability", _MINIMUM, _MAXIMUM, "reliability = 0.95")
+    s = within(
+        reliability,
+        "reliability",
+        "",
+        _MINIMUM,
+        _MAXIMUM,
+        example="reliability = 0.95",
+        nan_too=False,
+    )
     least = _MINIMUM_LIFE[_checked(edition)]
     risk = np.log(s) / np.log(RATING_RELIABILITY)
     return np.asarray((1.0 - least) * risk ** (1.0 / _SLOPE) + least)
@@ -91,11 +96,5 @@ def outside_print(reliability: ArrayLike, edition: Edition = "2007") -> BoolArra
 
 
 def _checked(edition: str) -> str:
-    if edition not in get_args(Edition):
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(Edition))),
-            field="edition",
-            value=edition,
-            example='edition = "2007"',
-        )
+    one_of(edition, "edition", get_args(Edition), 'edition = "2007"')
     return edition

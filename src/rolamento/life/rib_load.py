@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from rolamento.case import Case
-from rolamento.life.record import finite
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings.ribs import (
     RibLubricant,
@@ -16,6 +15,7 @@ from rolamento.ratings.ribs import (
 )
 from rolamento.records import frozen
 from rolamento.solved import Solved
+from rolamento.validate import finite
 
 
 @frozen(eq=False)

@@ -26,11 +26,12 @@ from rolamento.life.iso281_modified import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
     SELF_ALIGNING_CONFORMITY,
+    Rated,
     RatedType,
-    RollerRated,
     dynamic_factor,
     dynamic_factor_of_grooves,
     dynamic_rating,
+    rated_as,
     roller_dynamic_rating,
     roller_static_rating,
     static_rating,
@@ -38,23 +39,19 @@ from rolamento.ratings import (
 )
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
-from rolamento.types import type_of_element
+from rolamento.types import ROLLER, type_of_element
 from rolamento.words import said
-
-Rated = RatedType | RollerRated
-"""By which formula of the standards a row is rated."""
 
 _ROW_SHARE: Final = 0.7
 """C of i equal rows of balls is i^0.7 times that of one."""
 _ROLLER_ROW_SHARE: Final = 7.0 / 9.0
 _SAME: Final = 1e-9
 INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
-GROOVES: Final[dict[Rated, tuple[float, float]]] = {
-    "radial": (INNER_GROOVE, OUTER_GROOVE),
-    "self_aligning": (SELF_ALIGNING_CONFORMITY, np.inf),
-    "thrust": (0.54, 0.54),
-}
-"""Conformities up to which the standards' factors hold; ISO 281:2007, 5.1 and 5.2."""
+"""Conformities of radial bearings up to which the factors hold; ISO 281:2007, 5.1."""
+
+
+class UnratedError(InputError):
+    """A bearing that the standards do not rate: it has no life."""
 
 
 @frozen(eq=False)
@@ -85,17 +82,17 @@ class Ratings:
     @property
     def is_axial(self) -> bool:
         """Whether these are ratings for axial load."""
-        return all(kind in ("thrust", "roller_thrust") for kind in self.kinds)
+        return all(rated_as(kind)["axial"] for kind in self.kinds)
 
     @property
     def rollers(self) -> BoolArray:
         """Whether each row is of rollers; (rows,)."""
-        return np.array([kind in ("roller", "roller_thrust") for kind in self.kinds])
+        return np.array([rated_as(kind)["rolls"] == ROLLER for kind in self.kinds])
 
     @property
     def mixed(self) -> bool:
         """Whether there are rows of balls and of rollers."""
-        return len({kind in ("roller", "roller_thrust") for kind in self.kinds}) > 1
+        return len({rated_as(kind)["rolls"] for kind in self.kinds}) > 1
 
     @property
     def exponents(self) -> FloatArray:
@@ -108,21 +105,12 @@ class Ratings:
 
         ISO 281:2007, 9.3.3.
         """
-        return self.fatigue_of_set / _IN_FACTOR[self.kind]
+        return np.asarray(self.fatigue_of_set / rated_as(self.kind)["fatigue_over"])
 
     @property
     def fatigue_of_rows_in_factor(self) -> FloatArray:
         """The same of each row; (cases, rows)."""
-        return np.asarray(self.fatigue / [_IN_FACTOR[kind] for kind in self.kinds])
-
-
-_IN_FACTOR: Final[dict[Rated, float]] = {
-    "radial": 1.0,
-    "self_aligning": 1.0,
-    "thrust": 3.0,
-    "roller": 1.0,
-    "roller_thrust": 2.5,
-}
+        return np.asarray(self.fatigue / [rated_as(kind)["fatigue_over"] for kind in self.kinds])
 
 
 def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Ratings:
@@ -170,7 +158,7 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
     static = _rating_or(given.static_rating, static, together)
     if dynamic.size and np.all(np.isnan(dynamic)):
         rollers = all(kind.startswith("roller") for kind in kinds)
-        raise InputError(
+        raise UnratedError(
             said(
                 "is missing: the geometry is outside the table of the standard (D cos "
                 "α/d_pw from 0.01 to 0.30)"
@@ -244,10 +232,10 @@ def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
     InputError
         If all cases have such a row of balls.
     """
-    radial = np.array([kind not in ("thrust", "roller_thrust") for kind in kinds])
+    radial = np.array([not rated_as(kind)["axial"] for kind in kinds])
     steep = radial & (angle > MAXIMUM_ANGLE * (1.0 + _SAME))
     if steep.size and np.all(steep.any(axis=1)):
-        raise InputError(
+        raise UnratedError(
             said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
             field="bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
@@ -400,7 +388,7 @@ def _groove_factor(
         ratio = diameter / pitch
         usual = thrust_dynamic_factor(ratio, angle)
         openest = np.maximum(*grooves)
-        opened = openest > GROOVES[kind][0]
+        opened = openest > rated_as(kind)["conformities"][0]
         return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
     gamma = diameter * np.cos(angle) / pitch
     if kind == "self_aligning":

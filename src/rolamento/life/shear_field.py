@@ -20,9 +20,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import numbers
 
 MAXIMUM_ELLIPTICITY: Final = 60.0
 """a/b up to which the field is tabulated; flatter ones count as this one."""

@@ -18,11 +18,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.errors import InputError
-from rolamento.life._figures import positive
 from rolamento.life.iso16281 import SLOPE, system_life
 from rolamento.numerics import FloatArray
+from rolamento.validate import numbers, positive
 from rolamento.words import said
 
 _SUM: Final = 1e-6

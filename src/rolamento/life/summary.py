@@ -9,7 +9,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life import iso16281, iso16281_modified
 from rolamento.life.basis import Basis, EquivalentLoads
@@ -17,7 +16,7 @@ from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.headline import Headline, headline_of
 from rolamento.life.iso281_modified import MAXIMUM_RATIO
 from rolamento.life.iso16281 import ReferenceLife
-from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite
+from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import Ratings
@@ -28,6 +27,7 @@ from rolamento.records import frozen, span
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.units import HOUR
+from rolamento.validate import finite, numbers
 from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
 

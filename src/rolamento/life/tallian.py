@@ -25,12 +25,12 @@ from numpy.typing import ArrayLike
 
 from rolamento.case.life_model import TallianFactors
 from rolamento.errors import InputError
-from rolamento.life._figures import positive, within
 from rolamento.life.ioannides_harris import DEPTH_EXPONENT, STRESS_EXPONENT, race_risk
 from rolamento.life.reliability import RATING_RELIABILITY
 from rolamento.life.spectrum import shaft_life
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Need, Theory
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.validate import positive, within
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -80,7 +80,9 @@ def tallian_life(
     factors : of the origin, all of them.
     reliability : array, S.
     """
-    s = within(reliability, "reliability", 0.01, 0.999999, "reliability = 0.9")
+    s = within(
+        reliability, "reliability", "", 0.01, 0.999999, example="reliability = 0.9", nan_too=False
+    )
     return np.asarray((-np.log(s) / product(factors)) ** (1.0 / factors.exponent))
 
 

@@ -18,12 +18,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import in_reach
 from rolamento.case.film_model import Supply
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import within
 from rolamento.words import said
 
 COMPUTED_RANGE: Final[dict[str, tuple[float, float]]] = {
@@ -110,19 +110,19 @@ def film_groups(
 
     Hamrock and Dowson (1977).
     """
-    u = in_reach(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
-    q = in_reach(load, "load", "N", 0.0, 1e12)
-    curvature = in_reach(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
-    e = in_reach(modulus, "modulus", "Pa", 1.0, 1e15)
-    eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
-    alpha = in_reach(
+    u = within(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    q = within(load, "load", "N", 0.0, 1e12)
+    curvature = within(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
+    e = within(modulus, "modulus", "Pa", 1.0, 1e15)
+    eta = within(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
+    alpha = within(
         pressure_viscosity_coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3
     )
     return FilmGroups(
         speed=np.asarray(eta * u * curvature / e),
         load=np.asarray(q * curvature**2 / e),
         material=np.asarray(alpha * e),
-        ellipticity=in_reach(ellipticity, "ellipticity", "", 0.0, 1e9),
+        ellipticity=within(ellipticity, "ellipticity", "", 0.0, 1e9),
     )
 
 
@@ -171,12 +171,12 @@ def thermal_loading(
     >>> print(f"{thermal_loading(0.017, 0.03, 3.0, 0.13):.4f}")
     0.0353
     """
-    eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
-    falling = in_reach(
+    eta = within(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
+    falling = within(
         viscosity_temperature_coefficient, "viscosity_temperature_coefficient", "1/K", 0.0, 1e3
     )
-    u = in_reach(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
-    conductivity = in_reach(thermal_conductivity, "thermal_conductivity", "W/(m·K)", 1e-6, 1e6)
+    u = within(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    conductivity = within(thermal_conductivity, "thermal_conductivity", "W/(m·K)", 1e-6, 1e6)
     return np.asarray(eta * falling * u**2 / conductivity)
 
 
@@ -188,7 +188,7 @@ def murch_wilson(loading: ArrayLike) -> FloatArray:
     >>> print(f"{murch_wilson(0.5):.3f}")
     0.858
     """
-    return np.asarray(3.94 / (3.94 + in_reach(loading, "loading", "", 0.0, 1e40) ** 0.62))
+    return np.asarray(3.94 / (3.94 + within(loading, "loading", "", 0.0, 1e40) ** 0.62))
 
 
 def gupta_cheng(
@@ -206,11 +206,11 @@ def gupta_cheng(
     Gupta, Cheng, Zhu, Forster and Schrand (1992):
     (1 - 13.2 (p_0/E') L^0.42) / (1 + 0.213 (1 + 2.23 S^0.83) L^0.64).
     """
-    loading = in_reach(loading, "loading", "", 0.0, 1e40)
-    pressure = in_reach(max_pressure, "max_pressure", "Pa", 0.0, 1e15)
-    modulus = in_reach(modulus, "modulus", "Pa", 1.0, 1e15)
+    loading = within(loading, "loading", "", 0.0, 1e40)
+    pressure = within(max_pressure, "max_pressure", "Pa", 0.0, 1e15)
+    modulus = within(modulus, "modulus", "Pa", 1.0, 1e15)
     strained = 1.0 - 13.2 * pressure / modulus * loading**0.42
-    sliding = 1.0 + 2.23 * in_reach(slide_to_roll, "slide_to_roll", "", 0.0, 1e40) ** 0.83
+    sliding = 1.0 + 2.23 * within(slide_to_roll, "slide_to_roll", "", 0.0, 1e40) ** 0.83
     return np.asarray(np.maximum(strained, 0.0) / (1.0 + 0.213 * sliding * loading**0.64))
 
 
@@ -224,7 +224,7 @@ def aihara(loading: ArrayLike) -> FloatArray:
     >>> print(f"{aihara(0.5):.3f}")
     0.856
     """
-    return np.asarray(1.0 / (1.0 + 0.29 * in_reach(loading, "loading", "", 0.0, 1e40) ** 0.78))
+    return np.asarray(1.0 / (1.0 + 0.29 * within(loading, "loading", "", 0.0, 1e40) ** 0.78))
 
 
 def skf_inlet_heating(
@@ -244,9 +244,9 @@ def skf_inlet_heating(
 
     SKF, Rolling bearings (10000 EN, 2013), frictional moment.
     """
-    n = _RPM * in_reach(speed, "speed", "rad/s", 0.0, 1e9)
-    mean = 1e3 * in_reach(mean_diameter, "mean_diameter", "m", 0.0, 1e3)
-    nu = 1e6 * in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    n = _RPM * within(speed, "speed", "rad/s", 0.0, 1e9)
+    mean = 1e3 * within(mean_diameter, "mean_diameter", "m", 0.0, 1e3)
+    nu = 1e6 * within(viscosity, "viscosity", "m²/s", 0.0, 1e6)
     return np.asarray(1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64))
 
 
@@ -310,13 +310,13 @@ def replenishment(
 
     SKF, General catalogue (2018): there of the rolling friction, which follows the film.
     """
-    d = 1e3 * in_reach(bore, "bore", "m", 0.0, 1e3)
-    outside = 1e3 * in_reach(outside_diameter, "outside_diameter", "m", 0.0, 1e3)
+    d = 1e3 * within(bore, "bore", "m", 0.0, 1e3)
+    outside = 1e3 * within(outside_diameter, "outside_diameter", "m", 0.0, 1e3)
     if np.any(outside <= d):
         raise InputError(said("must be greater than the bore diameter"), field="outside_diameter")
     spreading = spreading_factor(kind) if isinstance(kind, str) else kind
-    nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
-    omega = in_reach(speed, "speed", "rad/s", 0.0, 1e9)
+    nu = within(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    omega = within(speed, "speed", "rad/s", 0.0, 1e9)
     flow = nu * omega * 1e6 * _RPM
     spread = (d + outside) * np.sqrt(spreading / (2.0 * (outside - d)))
     return np.asarray(np.exp(-REPLENISHMENT[supply] * flow * spread))
@@ -329,14 +329,14 @@ def _flooded(
     factor: float,
     exponent: float,
 ) -> FloatArray:
-    radius = in_reach(rolling_radius, "rolling_radius", "m", 1e-12, 1e9)
-    b = in_reach(semi_minor, "semi_minor", "m", 1e-15, 1e3)
+    radius = within(rolling_radius, "rolling_radius", "m", 1e-12, 1e9)
+    b = within(semi_minor, "semi_minor", "m", 1e-15, 1e3)
     ratio = radius / b
-    return np.asarray(1.0 + factor * (ratio**2 * in_reach(film, "film", "", 0.0, 1e9)) ** exponent)
+    return np.asarray(1.0 + factor * (ratio**2 * within(film, "film", "", 0.0, 1e9)) ** exponent)
 
 
 def _share_left(distance: ArrayLike, flooded: ArrayLike, exponent: float) -> FloatArray:
-    beyond = np.maximum(in_reach(distance, "distance", "", 0.0, 1e30) - 1.0, 0.0)
+    beyond = np.maximum(within(distance, "distance", "", 0.0, 1e30) - 1.0, 0.0)
     needed = np.asarray(flooded, dtype=np.float64) - 1.0
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.minimum(beyond / needed, 1.0) ** exponent

@@ -19,10 +19,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import in_reach
 from rolamento.case.film_model import LineFilm
 from rolamento.lubrication.film_thickness import FilmGroups
 from rolamento.numerics import FloatArray
+from rolamento.validate import within
 
 MARTIN: Final = 4.896
 """Load times film of a rigid roller in a fluid of constant viscosity, w h/(η u R)."""
@@ -52,12 +52,12 @@ def line_groups(
     InputError
         If a number is negative, not finite, or far beyond any contact.
     """
-    u = in_reach(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
-    q = in_reach(load_per_length, "load_per_length", "N/m", 0.0, 1e12)
-    curvature = in_reach(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
-    e = in_reach(modulus, "modulus", "Pa", 1.0, 1e15)
-    eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
-    alpha = in_reach(
+    u = within(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    q = within(load_per_length, "load_per_length", "N/m", 0.0, 1e12)
+    curvature = within(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
+    e = within(modulus, "modulus", "Pa", 1.0, 1e15)
+    eta = within(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
+    alpha = within(
         pressure_viscosity_coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3
     )
     load = np.asarray(q * curvature / e)

@@ -20,6 +20,7 @@ from rolamento.lubrication.oil_state import oil_state, reference_viscosity
 from rolamento.oil import viscosity_100_of_index
 from rolamento.oil.properties import astm_d341, astm_d341_line
 from rolamento.records import frozen
+from rolamento.validate import number
 from rolamento.words import Note, said
 
 __all__ = ["Grade", "OilChoice", "choose_oil", "viscosity_at_40"]
@@ -142,10 +143,7 @@ def choose_oil(
         raise InputError(
             said("is zero: κ is of a speed"), field="duty.inner_speed", example="--speed '1480 rpm'"
         )
-    if not 0.1 <= required <= 10.0:
-        raise InputError(
-            said("must be from 0.1 to 10"), field="kappa", value=required, example="1.5"
-        )
+    number(required, "kappa", least=0.1, most=10.0, example="1.5")
     if coldest > hottest:
         raise InputError(
             said("must not be hotter than the hottest"), field="coldest", value=coldest

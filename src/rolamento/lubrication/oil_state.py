@@ -7,7 +7,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import in_reach
 from rolamento.case.lubricant import DEFAULT_CONDUCTIVITY, Lubricant
 from rolamento.numerics import FloatArray
 from rolamento.oil import (
@@ -23,6 +22,7 @@ from rolamento.oil import (
     wooster,
 )
 from rolamento.records import frozen
+from rolamento.validate import within
 
 _SLOW: Final = 1000.0 * (1.0 - 1e-9)
 """r/min below which the formula changes: 1000, and rounding of a speed in rad/s does not decide.
@@ -129,10 +129,10 @@ def reference_viscosity(speed: ArrayLike, pitch_diameter: ArrayLike) -> FloatArr
 
     ISO 281:2007, 9.3.3.
     """
-    n = np.abs(in_reach(speed, "speed", "rad/s", -1e9, 1e9)) * 30.0 / np.pi
+    n = np.abs(within(speed, "speed", "rad/s", -1e9, 1e9)) * 30.0 / np.pi
     with np.errstate(divide="ignore"):
         slow, fast = 45000.0 * n**-0.83, 4500.0 * n**-0.5
-    root = np.sqrt(in_reach(pitch_diameter, "pitch_diameter", "m", 1e-9, 1e3) * 1e3)
+    root = np.sqrt(within(pitch_diameter, "pitch_diameter", "m", 1e-9, 1e3) * 1e3)
     return np.asarray(np.where(n < _SLOW, slow, fast) / root * 1e-6)
 
 
@@ -144,5 +144,5 @@ def viscosity_ratio(
     Parameters: arrays that broadcast; m²/s, rad/s, m. Returns the broadcast shape.
     ISO 281:2007, 9.3.3.
     """
-    nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    nu = within(viscosity, "viscosity", "m²/s", 0.0, 1e6)
     return np.asarray(nu / reference_viscosity(speed, pitch_diameter))

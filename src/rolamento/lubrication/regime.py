@@ -12,10 +12,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._reach import in_reach
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.records import frozen
+from rolamento.validate import within
 from rolamento.words import said
 
 Origin = Literal["surface", "subsurface", "undecided"]
@@ -90,9 +90,9 @@ def crack_origin(crack_depth: float, greatest_shear_depth: float) -> Origin:
     InputError
         If a depth is not a positive number (the crack's may be zero).
     """
-    crack = float(in_reach(crack_depth, "crack_depth", "m", 0.0, 1e3))
+    crack = float(within(crack_depth, "crack_depth", "m", 0.0, 1e3))
     shear = float(
-        in_reach(greatest_shear_depth, "greatest_shear_depth", "m", 0.0, 1e3, least_too=False)
+        within(greatest_shear_depth, "greatest_shear_depth", "m", 0.0, 1e3, least_too=False)
     )
     ratio = crack / shear
     if isnan(ratio):

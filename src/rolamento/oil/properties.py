@@ -21,10 +21,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import in_reach
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import within
 from rolamento.words import said
 
 MINIMUM_VISCOSITY: Final = 2e-6
@@ -99,13 +99,13 @@ def dynamic_viscosity(kinematic_viscosity: ArrayLike, density: ArrayLike) -> Flo
     >>> print(f"{1e3 * dynamic_viscosity(1e-5, 850.0):.1f} mPa s")
     8.5 mPa s
     """
-    nu = in_reach(kinematic_viscosity, "kinematic_viscosity", "m²/s", 0.0, 1e6)
-    return np.asarray(nu * in_reach(density, "density", "kg/m^3", 0.0, 1e6))
+    nu = within(kinematic_viscosity, "kinematic_viscosity", "m²/s", 0.0, 1e6)
+    return np.asarray(nu * within(density, "density", "kg/m^3", 0.0, 1e6))
 
 
 def _height_on_chart(viscosity: ArrayLike, field: str) -> FloatArray:
     minimum = (1.0 - _ASTM_SHIFT) / _MM2
-    z = in_reach(viscosity, field, "m²/s", minimum, 1e6, least_too=False) * _MM2 + _ASTM_SHIFT
+    z = within(viscosity, field, "m²/s", minimum, 1e6, least_too=False) * _MM2 + _ASTM_SHIFT
     return np.asarray(np.log10(np.log10(z)))
 
 
@@ -150,8 +150,8 @@ def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
     >>> print(f"{viscosity_index(68e-6, 8.7e-6):.0f}")
     99
     """
-    u = float(in_reach(viscosity_40, "viscosity_40", "m²/s", 1e-9, 1.0)) * _MM2
-    y = float(in_reach(viscosity_100, "viscosity_100", "m²/s", 1e-9, 1.0)) * _MM2
+    u = float(within(viscosity_40, "viscosity_40", "m²/s", 1e-9, 1.0)) * _MM2
+    y = float(within(viscosity_100, "viscosity_100", "m²/s", 1e-9, 1.0)) * _MM2
     return _index(u, y) if y >= MINIMUM_VISCOSITY * _MM2 else float("nan")
 
 
@@ -170,7 +170,7 @@ def reference_viscosities(viscosity_100: float) -> tuple[float, float]:
     ASTM D2270, appendix X2.
     """
     return _references(
-        float(in_reach(viscosity_100, "viscosity_100", "mm²/s", MINIMUM_VISCOSITY * _MM2, 1e6))
+        float(within(viscosity_100, "viscosity_100", "mm²/s", MINIMUM_VISCOSITY * _MM2, 1e6))
     )
 
 
@@ -248,9 +248,9 @@ def _checked_arguments(
     pressure: ArrayLike, viscosity: ArrayLike, coefficient: ArrayLike, thinnest: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     return (
-        in_reach(pressure, "pressure", "Pa", 0.0, 1e12),
-        in_reach(viscosity, "viscosity", "Pa·s", thinnest, 1e9, least_too=False),
-        in_reach(coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3),
+        within(pressure, "pressure", "Pa", 0.0, 1e12),
+        within(viscosity, "viscosity", "Pa·s", thinnest, 1e9, least_too=False),
+        within(coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3),
     )
 
 
@@ -266,7 +266,7 @@ def wooster(dynamic_viscosity: ArrayLike) -> FloatArray:
     >>> print(f"{1e9 * wooster(0.01):.1f} 1/GPa")
     15.7 1/GPa
     """
-    eta = in_reach(dynamic_viscosity, "dynamic_viscosity", "Pa·s", 1e-9, 1e9)
+    eta = within(dynamic_viscosity, "dynamic_viscosity", "Pa·s", 1e-9, 1e9)
     return np.asarray((0.6 + 0.965 * np.log10(eta * 1e3)) * 1e-8)
 
 
@@ -286,10 +286,10 @@ def so_klaus(kinematic_viscosity: ArrayLike, density: ArrayLike, slope: ArrayLik
     So and Klaus (1980): with s = log10 ν in mm²/s, ρ in g/cm³, α in 10⁻⁸/Pa,
     1.216 + 4.143 s^3.0627 + 2.848e-4 B^5.1903 s^1.5976 - 3.999 s^3.0975 ρ^0.1162.
     """
-    s = np.log10(in_reach(kinematic_viscosity, "kinematic_viscosity", "m²/s", 1e-12, 1e6) * 1e6)
+    s = np.log10(within(kinematic_viscosity, "kinematic_viscosity", "m²/s", 1e-12, 1e6) * 1e6)
     s = np.where(s >= 0.0, s, np.nan)
-    rho = in_reach(density, "density", "kg/m^3", 0.0, 1e6) * 1e-3
-    steep = in_reach(slope, "slope", "", 0.0, 1e6)
+    rho = within(density, "density", "kg/m^3", 0.0, 1e6) * 1e-3
+    steep = within(slope, "slope", "", 0.0, 1e6)
     return np.asarray(
         1e-8
         * (
@@ -327,8 +327,8 @@ def density_by_expansion(
     warming = _liquid_temperature(temperature, "temperature") - _liquid_temperature(
         reference_temperature, "reference_temperature"
     )
-    density = in_reach(reference_density, "reference_density", "kg/m^3", 0.0, 1e6)
-    expansion = in_reach(thermal_expansion, "thermal_expansion", "1/K", -0.05, 0.05)
+    density = within(reference_density, "reference_density", "kg/m^3", 0.0, 1e6)
+    expansion = within(thermal_expansion, "thermal_expansion", "1/K", -0.05, 0.05)
     return np.asarray(density * np.exp(-expansion * warming))
 
 
@@ -342,7 +342,7 @@ def density_of_lubricating_oil(
     API MPMS 11.1 (1980), table 54D: ρ = ρ_15 exp(-a ΔT (1 + 0.8 a ΔT)), a = 0.6278/ρ_15, ΔT from
     15 °C. ρ_15 follows from the given density by iteration.
     """
-    known = in_reach(reference_density, "reference_density", "kg/m^3", 100.0, 1e6)
+    known = within(reference_density, "reference_density", "kg/m^3", 100.0, 1e6)
     warm = _liquid_temperature(temperature, "temperature")
     reference = _liquid_temperature(reference_temperature, "reference_temperature")
     standard = known
@@ -358,8 +358,8 @@ def _thermal_correction(temperature: FloatArray, standard_density: FloatArray) -
 
 
 def _temperature(temperature: ArrayLike, field: str) -> FloatArray:
-    return in_reach(temperature, field, "K", 1.0, 1e4)
+    return within(temperature, field, "K", 1.0, 1e4)
 
 
 def _liquid_temperature(temperature: ArrayLike, field: str) -> FloatArray:
-    return in_reach(temperature, field, "K", 1.0, 2000.0)
+    return within(temperature, field, "K", 1.0, 2000.0)

@@ -15,8 +15,8 @@ from rolamento.case.roller_bearing import RollerBearing, raceway_radii
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Beside, Document, Entry, Figure, KeyValues, Section, Title
 from rolamento.geometry import Race
-from rolamento.notes import nothing_given
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.solved.notes import nothing_given
 from rolamento.units import Dimension, readable
 from rolamento.words import Note, manner, said, said_in
 from rolamento.words.reasons import reason

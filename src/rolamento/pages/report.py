@@ -36,7 +36,6 @@ from rolamento.friction.model import REMARKS
 from rolamento.friction.models import torque_model_name
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.notes import nothing_given
 from rolamento.pages.clearance import STEPS, chain_lines
 from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
@@ -64,6 +63,7 @@ from rolamento.pages.quantities import (
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.pages.static import static_sections
 from rolamento.records import frozen
+from rolamento.solved.notes import nothing_given
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, manner, marked, said, worded
 from rolamento.words.headlines import qualifies

@@ -22,6 +22,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.solved import RACES
 from rolamento.studies.names import variable_name
+from rolamento.validate import one_of
 from rolamento.words import said
 
 Floats = NDArray[np.float64]
@@ -228,12 +229,7 @@ def _from_zero(values: Floats) -> bool:
 
 
 def _position(direction: str) -> int:
-    if direction not in _DIRECTIONS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(_DIRECTIONS)),
-            field="direction",
-            value=direction,
-        )
+    one_of(direction, "direction", _DIRECTIONS)
     return _DIRECTIONS.index(direction)
 
 

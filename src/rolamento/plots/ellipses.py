@@ -28,6 +28,7 @@ from rolamento.charts.texts import no_result, number
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.solved import RACES, Solved
+from rolamento.validate import whole_number
 from rolamento.words import said
 
 _FRAME_SHAPE: Final = 3.3
@@ -172,10 +173,7 @@ def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
     if chosen is None:
         return range(count)
     for index in chosen:
-        if not 0 <= index < count:
-            raise InputError(
-                said("must be from 0 to {count}", count=count - 1), field="balls", value=index
-            )
+        whole_number(index, "balls", 0, count - 1)
     if not chosen:
         raise InputError(said("must name at least one ball"), field="balls", example="[0, 1]")
     return chosen

@@ -15,7 +15,6 @@ from rolamento.charts.contacts import refuse_rollers
 from rolamento.charts.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y
 from rolamento.charts.style import in_style, new_figure, new_stacked_figure
 from rolamento.charts.texts import no_result, number
-from rolamento.errors import InputError
 from rolamento.friction.slip import (
     Patch,
     RelativeMotion,
@@ -28,6 +27,7 @@ from rolamento.friction.slip import (
 from rolamento.geometry import Race
 from rolamento.records import frozen
 from rolamento.solved import Solved
+from rolamento.validate import one_of, whole_number
 from rolamento.words import said
 
 __all__ = ["QUANTITIES", "Quantity", "slip_map", "slip_maps"]
@@ -98,12 +98,7 @@ def slip_map(
         If this is no ball bearing, there is no such ball, or the quantity is not known.
     """
     axes = new_figure(height=62.0)[1] if axes is None else axes
-    if quantity not in QUANTITIES:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(QUANTITIES)),
-            field="quantity",
-            value=quantity,
-        )
+    one_of(quantity, "quantity", QUANTITIES)
     refuse_rollers(solved)
     if not solved.converged[0]:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
@@ -131,13 +126,7 @@ def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
     count = patch.load.shape[1]
     if ball == _HEAVIEST:
         ball = int(np.argmax(patch.load[0]))
-    if not 0 <= ball < count:
-        raise InputError(
-            said("must be from 0 to {count}", count=count - 1),
-            field="ball",
-            value=ball,
-            example="0",
-        )
+    whole_number(ball, "ball", 0, count - 1, "0")
 
     def one(array: Floats) -> Floats:
         return np.asarray(array[0, ball : ball + 1])

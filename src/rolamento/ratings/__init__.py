@@ -4,6 +4,9 @@ Of balls (`balls`) and of rollers (`rollers`); both take numbers or arrays that 
 and give NaN where the standards give no number.
 """
 
+from typing import Any
+
+from rolamento.io.data import toml_of
 from rolamento.ratings.balls import (
     MAXIMUM_GAMMA,
     SELF_ALIGNING_CONFORMITY,
@@ -26,15 +29,27 @@ from rolamento.ratings.rollers import (
     roller_thrust_dynamic_factor,
 )
 
+Rated = RatedType | RollerRated
+"""By which formula of the standards a row is rated."""
+
+
+def rated_as(kind: Rated) -> dict[str, Any]:
+    """Return what a formula of the standards differs in, from data/iso_ratings.toml."""
+    found: dict[str, Any] = toml_of("iso_ratings")["rated"][kind]
+    return found
+
+
 __all__ = [
     "MAXIMUM_GAMMA",
     "SELF_ALIGNING_CONFORMITY",
     "THRUST_CONFORMITY",
+    "Rated",
     "RatedType",
     "RollerRated",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
     "dynamic_rating",
+    "rated_as",
     "roller_dynamic_factor",
     "roller_dynamic_rating",
     "roller_static_rating",

@@ -21,10 +21,10 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.numerics.ellipse import ellipse_of_log_ratio
+from rolamento.validate import numbers
 
 __all__ = [
     "MAXIMUM_GAMMA",

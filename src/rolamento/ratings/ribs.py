@@ -17,9 +17,9 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.numerics import FloatArray
 from rolamento.units import RPM
+from rolamento.validate import numbers
 
 RibLubricant = Literal["grease", "oil"]
 

@@ -18,11 +18,9 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
-from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
-from rolamento.words import said
+from rolamento.validate import numbers, one_of
 
 RollerRated = Literal["roller", "roller_thrust"]
 """What the standards rate by one formula, beside the `RatedType` of ball bearings: radial roller
@@ -208,14 +206,7 @@ def _races(g: FloatArray, inner: float) -> FloatArray:
 
 def _bearing_factor(kind: str, thrust: bool) -> float:
     factors = toml_of("iso_ratings")["roller_thrust" if thrust else "roller"]["bm"]
-    if kind not in factors:
-        known = list(factors)
-        raise InputError(
-            said("must be one of {known}", known=", ".join(known)),
-            field="kind",
-            value=kind,
-            example=f'kind = "{known[0]}"',
-        )
+    one_of(kind, "kind", factors)
     return float(factors[kind])
 
 

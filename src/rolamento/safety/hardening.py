@@ -21,12 +21,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._reach import numbers
 from rolamento.contact.subsurface import axis_stresses
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import RACES, Solved
+from rolamento.validate import numbers
 from rolamento.words import said
 
 __all__ = [

@@ -11,6 +11,7 @@ from rolamento.numerics import FloatArray
 from rolamento.records import frozen, span
 from rolamento.safety.static_safety import StaticSafety, static_safety_of
 from rolamento.solution import solve
+from rolamento.validate import number, whole_number
 from rolamento.words import said
 
 __all__ = ["LoadCurve", "static_over_load"]
@@ -82,11 +83,8 @@ def static_over_load(case: Case, *, most: float = 2.0, points: int = 41) -> Load
     >>> bool(np.all(np.diff(curve.safety) < 0.0))
     True
     """
-    if not 2 <= points <= _MOST_POINTS:
-        rule = said("must be {least} to {most}", least=2, most=_MOST_POINTS)
-        raise InputError(rule, field="points", value=points, example="points = 41")
-    if not 0.0 < most <= 1000.0:
-        raise InputError(said("must be above zero"), field="most", value=most, example="most = 2.0")
+    whole_number(points, "points", 2, _MOST_POINTS, "points = 41")
+    number(most, "most", above=0.0, most=1000.0, example="most = 2.0")
     load = case.duty.load
     given = {name: getattr(load, name) for name in ("fx", "fy", "fz", "my", "mz")}
     loads = {name: value for name, value in given.items() if value}

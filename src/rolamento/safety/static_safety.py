@@ -24,12 +24,11 @@ Sources: ISO 76:2006, 3 and 5; ISO/TR 10657 for Q_0; makers' tables in data/stat
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._reach import numbers
 from rolamento.case import Case
 from rolamento.case.static import Operation, Requirement, Static
 from rolamento.errors import InputError
@@ -38,20 +37,21 @@ from rolamento.life.basis import static_of_bearings
 from rolamento.life.conditions import conditions_of
 from rolamento.life.equivalent_load import static_safety
 from rolamento.life.row_ratings import (
-    Rated,
     nominal_contact_angle,
     ratings_of,
     row_kinds,
     within_rating,
 )
 from rolamento.numerics import FloatArray
+from rolamento.ratings import Rated, RatedType, RollerRated, rated_as
 from rolamento.records import frozen, span
 from rolamento.safety.hardening import Hardening, hardening_of, vickers_of_rockwell
 from rolamento.safety.launch import Launch, launch_of
 from rolamento.solution import solve
 from rolamento.solved import RACES, Solved
 from rolamento.types import type_of_element
-from rolamento.words import Note, said
+from rolamento.validate import numbers, one_of
+from rolamento.words import Note
 
 __all__ = [
     "RaceSafety",
@@ -64,15 +64,6 @@ __all__ = [
     "stress_safety",
 ]
 
-_SHARE: Final[dict[Rated, float]] = {
-    "radial": 5.0,
-    "self_aligning": 5.0,
-    "roller": 1.0 / 0.2453,
-    "thrust": 1.0,
-    "roller_thrust": 1.0,
-}
-"""Z Q_0/C_0 of a row at 0° (radial) and 90° (thrust)."""
-_THRUST: Final = ("thrust", "roller_thrust")
 _SOFT: Final = {"ball": 1.5, "roller": 2.0}
 _HARD: Final = 800.0
 """HV"""
@@ -91,11 +82,8 @@ def pressure_limit(kind: Rated) -> float:
     >>> f"{1e-6 * pressure_limit('self_aligning'):.0f} MPa"
     '4600 MPa'
     """
-    limits = toml_of("static_safety")["pressure"]
-    if kind not in _SHARE:
-        known = ", ".join(_SHARE)
-        raise InputError(said("must be one of {known}", known=known), field="kind", value=kind)
-    return 1e6 * float(limits[kind])
+    one_of(kind, "kind", get_args(RatedType) + get_args(RollerRated))
+    return 1e6 * float(toml_of("static_safety")["pressure"][kind])
 
 
 def stress_safety(
@@ -145,9 +133,10 @@ def load_of_rating(
     '10000 N'
     """
     angle = numbers(contact_angle, "contact_angle")
-    along = np.sin(angle) if kind in _THRUST else np.cos(angle)
+    own = rated_as(kind)
+    along = np.sin(angle) if own["axial"] else np.cos(angle)
     count = numbers(element_count, "element_count")
-    return np.asarray(_SHARE[kind] * numbers(static_rating, "static_rating") / (count * along))
+    return np.asarray(own["share"] * numbers(static_rating, "static_rating") / (count * along))
 
 
 @frozen

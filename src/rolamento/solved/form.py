@@ -48,6 +48,7 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import STATUS_NUMBERS
+from rolamento.validate import one_of
 from rolamento.words import Note, said
 
 if TYPE_CHECKING:
@@ -350,12 +351,7 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
     rollers = _rollers_of(item, balls, where, at) if "rollers" in item else None
     tables = Tables(elements, pressed["inner"], pressed["outer"], rolling, rollers)
     code = current(_text(status, f"{at}status.code"), STATUSES)
-    if code not in STATUS_NUMBERS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(STATUS_NUMBERS)),
-            field=f"{at}status.code",
-            value=code,
-        )
+    one_of(code, f"{at}status.code", STATUS_NUMBERS)
     if _truth(status, f"{at}status.converged") != (code == "converged"):
         raise InputError(said("contradicts status.code"), field=f"{at}status.converged")
     notes = [

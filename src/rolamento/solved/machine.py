@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-__all__ = ["SeatedBearing", "SolvedMachine", "SolvedMachines", "SolvedShaft"]
+__all__ = ["SeatedBearing", "SolvedMachine", "SolvedShaft"]
 
 SCHEMA: Final = 1
 KIND: Final = "machine"
@@ -166,8 +166,9 @@ class SolvedMachine:
 
     Attributes
     ----------
-    machine
-        what was solved
+    machines
+        what was solved: one; or several of one structure that differ in forces and speeds alone.
+        The cases are all steps of the first, then all of the second, …
     status
         whether and how each case was solved; `unsupported` of "no_equilibrium" counts as in a
         bearing, of the part that `advice` names
@@ -179,7 +180,7 @@ class SolvedMachine:
         of each case that has no result, why
     """
 
-    machine: Machine
+    machines: tuple[Machine, ...]
     status: Status
     shafts: Mapping[str, SolvedShaft]
     bearings: Mapping[str, SeatedBearing]
@@ -191,6 +192,11 @@ class SolvedMachine:
         return len(self.status.number)
 
     @property
+    def machine(self) -> Machine:
+        """What was solved; of several the first."""
+        return self.machines[0]
+
+    @property
     def title(self) -> str:
         """The title of the machine."""
         return self.machine.title
@@ -198,13 +204,67 @@ class SolvedMachine:
     @property
     def share(self) -> FloatArray:
         """Share of the time of each case; (cases,)."""
-        return self.machine.step_shares
+        return np.concatenate([machine.step_shares for machine in self.machines])
 
     @property
     def steps(self) -> tuple[str, ...]:
-        """What each case is called."""
+        """What the cases of each machine are called."""
         steps = self.machine.spectrum
         return tuple(step.name or str(index + 1) for index, step in enumerate(steps)) or ("",)
+
+    # --- of several machines --------------------------------------------------------------------
+
+    @property
+    def unsolved(self) -> tuple[int | None, ...]:
+        """The first case of each machine that has no result; None if all have one."""
+        lost = ~self.status.converged.reshape(len(self.machines), -1)
+        return tuple(
+            index * len(own) + int(own.argmax()) if own.any() else None
+            for index, own in enumerate(lost)
+        )
+
+    def greatest(self, values: FloatArray) -> FloatArray:
+        """Return the greatest of an array (cases, …) in all steps of each machine; (machines,).
+
+        NaN of a machine that has no result in some step.
+        """
+        whole = values.reshape(len(self.machines), -1).max(axis=1)
+        return np.where([case is not None for case in self.unsolved], np.nan, whole)
+
+    def cases_of(self, index: int) -> slice:
+        """Return the cases of a machine."""
+        steps = len(self) // len(self.machines)
+        return slice(index * steps, (index + 1) * steps)
+
+    def of_machine(self, index: int) -> SolvedMachine:
+        """Return the result of one machine."""
+        machine, cases = self.machines[index], self.cases_of(index)
+        return (
+            self
+            if len(self.machines) == 1
+            else SolvedMachine(
+                machines=(machine,),
+                status=taken(self.status, cases),
+                shafts={
+                    name: replace(
+                        one,
+                        shaft=machine.shaft(name),
+                        **{part: getattr(one, part)[cases] for part in _OF_CASES_OF_SHAFT},
+                    )
+                    for name, one in self.shafts.items()
+                },
+                bearings={
+                    name: SeatedBearing(
+                        bearing=machine.bearing(name),
+                        solved=one.solved[cases],
+                        **{part: getattr(one, part)[cases] for part in _OF_BEARING},
+                    )
+                    for name, one in self.bearings.items()
+                },
+                notes=self.notes[cases],
+                advice=self.advice[cases],
+            )
+        )
 
     # --- as plain data --------------------------------------------------------------------------
 
@@ -291,7 +351,7 @@ class SolvedMachine:
             np.array([int(form.number(step, "unsupported")) for step in steps]),
         )
         return cls(
-            machine=machine,
+            machines=(machine,),
             status=status,
             shafts=_read_shafts(machine, mapping, count),
             bearings=_read_bearings(machine, mapping, count),
@@ -383,83 +443,6 @@ class SolvedMachine:
                 example='solved.to_pandas("shafts")',
             )  # fmt: skip
         return pd.concat(frames, ignore_index=True)
-
-
-@frozen(eq=False)
-class SolvedMachines:
-    """Machines of one structure, solved together: they differ in forces and speeds alone.
-
-    Attributes
-    ----------
-    machines
-        what was solved
-    status, shafts, bearings, notes, advice
-        as of `SolvedMachine`: of all steps of the first machine, then of all of the second, …
-    """
-
-    machines: tuple[Machine, ...]
-    status: Status
-    shafts: Mapping[str, SolvedShaft]
-    bearings: Mapping[str, SeatedBearing]
-    notes: tuple[tuple[Note, ...], ...]
-    advice: tuple[Note | None, ...]
-
-    def __len__(self) -> int:
-        """Count the machines."""
-        return len(self.machines)
-
-    @property
-    def steps(self) -> int:
-        """Steps of the spectrum of each, or one."""
-        return len(self.status.number) // len(self)
-
-    @property
-    def unsolved(self) -> tuple[int | None, ...]:
-        """The first case of each machine that has no result; None if all have one."""
-        lost = ~self.status.converged.reshape(len(self), self.steps)
-        return tuple(
-            index * self.steps + int(own.argmax()) if own.any() else None
-            for index, own in enumerate(lost)
-        )
-
-    def greatest(self, values: FloatArray) -> FloatArray:
-        """Return the greatest of an array (cases, …) in all steps of each machine; (machines,).
-
-        NaN of a machine that has no result in some step.
-        """
-        whole = values.reshape(len(self), -1).max(axis=1)
-        return np.where([case is not None for case in self.unsolved], np.nan, whole)
-
-    def cases_of(self, index: int) -> slice:
-        """Return the cases of a machine."""
-        return slice(index * self.steps, (index + 1) * self.steps)
-
-    def __getitem__(self, index: int) -> SolvedMachine:
-        """Return the result of one machine."""
-        machine, cases = self.machines[index], self.cases_of(index)
-        whole = len(self) == 1
-        return SolvedMachine(
-            machine=machine,
-            status=self.status if whole else taken(self.status, cases),
-            shafts={
-                name: replace(
-                    one,
-                    shaft=machine.shaft(name),
-                    **{part: getattr(one, part)[cases] for part in _OF_CASES_OF_SHAFT},
-                )
-                for name, one in self.shafts.items()
-            },
-            bearings={
-                name: SeatedBearing(
-                    bearing=machine.bearing(name),
-                    solved=one.solved if whole else one.solved[cases],
-                    **{part: getattr(one, part)[cases] for part in _OF_BEARING},
-                )
-                for name, one in self.bearings.items()
-            },
-            notes=self.notes[cases],
-            advice=self.advice[cases],
-        )
 
 
 def _read_shafts(

@@ -18,10 +18,10 @@ from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.geometry import Angle, Race
 from rolamento.io.json import dumps, plain
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
-from rolamento.notes import advice_on, notes_on
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, part_of, pieces_of
+from rolamento.solved.notes import advice_on, notes_on
 from rolamento.solved.rollers import Rollers
 from rolamento.solved.tables import (
     CONTACT_COLUMNS,

@@ -69,7 +69,7 @@ def minimum_static_share(kind: str, is_full_complement: bool = False) -> float |
     shares = toml_of("speeds")["minimum_load"]["rollers"]["static"].get(kind)
     if shares is None:
         return None
-    return float(shares["full_complement" if is_full_complement else "with_cage"])
+    return float(shares["without_cage" if is_full_complement else "with_cage"])
 
 
 def minimum_share_source(element: str) -> str:

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case, load_case
-from rolamento.errors import InputError
 from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
-from rolamento.words import Note, said
+from rolamento.validate import whole_number
+from rolamento.words import Note
 
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
@@ -316,13 +316,7 @@ def cage_turn(
     A point without a result never raises: its status says why, its numbers are NaN, and with them
     whatever describes the whole turn.
     """
-    if not FEWEST_POINTS <= points <= MOST_POINTS:
-        raise InputError(
-            said("must be {least} to {most}", least=FEWEST_POINTS, most=MOST_POINTS),
-            field="points",
-            value=points,
-            example=f"points = {DEFAULT_POINTS}",
-        )
+    whole_number(points, "points", FEWEST_POINTS, MOST_POINTS, f"points = {DEFAULT_POINTS}")
     case = case if isinstance(case, Case) else load_case(case)
     counts = [place.bearing.element_count for place in case.bearing.places]
     repeats = reduce(gcd, counts)

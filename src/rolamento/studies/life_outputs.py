@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento.analysis import life_of
 from rolamento.errors import InputError
-from rolamento.life import LifeSummary, life
+from rolamento.life import LifeSummary
 from rolamento.life.theories import THEORIES
 from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
 from rolamento.studies.outputs import Evaluation, Floats, Output
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from rolamento.case import Bearing, Case
     from rolamento.case.roller_bearing import RollerBearing
     from rolamento.life import Headline, Life
-    from rolamento.solved import Solved
 
 __all__ = ["life_outputs", "refuse_lifeless"]
 
@@ -136,7 +136,7 @@ def _of_theories() -> Iterator[Output]:
 
 def _bound() -> Output:
     def compute(found: Evaluation) -> NDArray[np.int32]:
-        summary = found.of(_life_if_any, stress_volume=False)
+        summary, _ = found.of(life_of, stress_volume=False)
         if summary is None:
             return np.zeros(len(found.solved), np.int32)
         return np.asarray(summary.headline.below & found.solved.converged, np.int32)
@@ -187,19 +187,11 @@ def _of_limit() -> Iterator[Output]:
         yield Output(name, "1", _number(get), needs=_LIFE)
 
 
-def _life_if_any(solved: Solved, *, stress_volume: bool) -> LifeSummary | None:
-    """Life by every theory that the cases allow; None if they allow none."""
-    try:
-        return life(solved, stress_volume=stress_volume)
-    except InputError:  # a thrust bearing or one without a rating, one of many in a study
-        return None
-
-
 def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Floats]:
     """Take a number of every case; NaN where there is none."""
 
     def compute(found: Evaluation) -> Floats:
-        summary = found.of(_life_if_any, stress_volume=stress_volume)
+        summary, _ = found.of(life_of, stress_volume=stress_volume)
         own = None if summary is None else get(summary)
         return np.where(found.solved.converged, np.nan if own is None else own, np.nan)
 
@@ -208,7 +200,7 @@ def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Flo
 
 def _validity(theory: str, stress_volume: bool) -> Callable[[Evaluation], NDArray[np.int32]]:
     def compute(found: Evaluation) -> NDArray[np.int32]:
-        summary = found.of(_life_if_any, stress_volume=stress_volume)
+        summary, _ = found.of(life_of, stress_volume=stress_volume)
         own = None if summary is None else _record(summary, theory)
         if own is None:
             return np.zeros(len(found.solved), np.int32)

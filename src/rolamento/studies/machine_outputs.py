@@ -20,7 +20,7 @@ from rolamento.case.machine import Machine
 from rolamento.life.duty import DutyLife
 from rolamento.life.system import SystemLife
 from rolamento.numerics import FloatArray
-from rolamento.solved.machine import SeatedBearing, SolvedMachines, SolvedShaft
+from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
 from rolamento.status import CONVERGED
 from rolamento.studies.names import OF
 from rolamento.studies.outputs import Along, Kind, Output
@@ -42,7 +42,7 @@ DEFAULT_OF_MACHINE: Final = (
 class MachineEvaluation:
     """Solved machines of one structure, and what follows from them, found once for all outputs."""
 
-    def __init__(self, solved: SolvedMachines) -> None:
+    def __init__(self, solved: SolvedMachine) -> None:
         self.solved = solved
 
         self._found: dict[str, NDArray[Any]] = {}
@@ -70,7 +70,9 @@ class MachineEvaluation:
 
     def number(self, bearing: str) -> NDArray[np.int64]:
         """How a bearing of each machine ended: in the first step without a result, if any."""
-        own = self.solved.bearings[bearing].solved.status.number.reshape(len(self.solved), -1)
+        own = self.solved.bearings[bearing].solved.status.number.reshape(
+            len(self.solved.machines), -1
+        )
         place = (own != CONVERGED).argmax(axis=1)
         return np.asarray(own[np.arange(len(own)), place], np.int64)
 
@@ -196,5 +198,5 @@ def _weakest(given: MachineEvaluation) -> FloatArray:
 
 def _power(given: MachineEvaluation) -> FloatArray:
     if not given.power:
-        return np.full(len(given.solved), np.nan)
+        return np.full(len(given.solved.machines), np.nan)
     return np.asarray(np.sum(list(given.power.values()), axis=0))

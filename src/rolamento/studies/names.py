@@ -70,6 +70,8 @@ _WHOLE: Final = {
     "static_safety": marked("static safety factor S_0 = C_0/P_0"),
     "static_safety_by_stress": marked("static safety by stress, minimum of all contacts"),
     "static_safety_by_load": marked("static safety by load, minimum of all contacts"),
+    "oscillation_hours": marked("life in oscillation"),
+    "oscillation_critical": marked("critical angle of oscillation"),
     "row_gap": marked("gap of a row at the inner race"),
     "bearing_capacitance": marked("capacitance of the bearing"),
     "current_density": marked("apparent current density"),

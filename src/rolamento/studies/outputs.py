@@ -200,6 +200,10 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("the voltage across the bearing"),
         '[electrical] with voltage = "10 V" in the case',
     ),
+    "duty.oscillation": (
+        marked("an oscillation"),
+        '[duty.oscillation] with angle = "30 deg" and frequency = "2 Hz" in the case',
+    ),
     "balls": (marked("balls"), "friction_torque_roller_sliding"),
     "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
@@ -270,6 +274,8 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
         return _has(case, "lubricant", varied) and _has(case, "temperature.lubricant", varied)
     if need == "temperature.lubricant":
         return case.lubricant_temperature is not None
+    if need == "duty.oscillation":
+        return case.duty.oscillation is not None
     if need == "heat":
         return case.heat is not None
     if need == "surface":

@@ -32,6 +32,7 @@ from rolamento.studies.tolerance import (
     samples_of,
     tolerance_bands,
 )
+from rolamento.validate import share, whole_number
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -136,8 +137,7 @@ def rank_correlation(dataset: Dataset, *, confidence: float = 0.95) -> RankCorre
 
     Samples without a result are left out; `tolerance_bands` counts them.
     """
-    if not 0.0 < confidence < 1.0:
-        raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
+    share(confidence, "confidence", "0.95")
     samples = samples_of(dataset)
     if not samples.inputs:
         raise InputError(said("has no scattered input"), field="scatter.fields")
@@ -490,10 +490,8 @@ def _check_numbers(samples: int, inputs: int, confidence: float, resamples: int)
             value=samples,
             example="1024",
         )
-    if not 0.0 < confidence < 1.0:
-        raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
-    if not 10 <= resamples <= 10_000:
-        raise InputError(said("must be from 10 to 10000"), field="resamples", value=resamples)
+    share(confidence, "confidence", "0.95")
+    whole_number(resamples, "resamples", 10, 10_000, "100")
 
 
 def _design(dimensions: int, samples: int, seed: int) -> Floats:

@@ -20,6 +20,7 @@ from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile_of_sorted
 from rolamento.records import frozen
 from rolamento.studies.study import SAMPLE
+from rolamento.validate import share
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -257,8 +258,7 @@ def tolerance_bands(
     The percentile is that of `rolamento.numerics.percentiles`, as on figures.
     """
     wanted = checked_percentiles(percentiles)
-    if not 0.0 < confidence < 1.0:
-        raise InputError(said("must be between 0 and 1"), field="confidence", value=confidence)
+    share(confidence, "confidence", "0.95")
     samples = samples_of(dataset)
     return ToleranceBands(
         percentiles=wanted,

@@ -64,7 +64,7 @@ def mounted_clearance(case: Case) -> Mounted:
     InputError
         As `clearance_of_case`.
     """
-    if case.mounting is None or not case.bearing.is_set:
+    if case.mounting is None or case.bearing.is_one_bearing:
         found = clearance_of_case(case)
         return Mounted((found,), (), _notes_on(found), of_set=False)
     from rolamento.system.mounted import clearances_of_set, notes_on_set, preload_stages

@@ -19,7 +19,7 @@ from rolamento.grease.relubrication import Interval, base_interval, intervals
 from rolamento.io.json import dumps
 from rolamento.life.basis import Basis
 from rolamento.life.conditions import conditions_of
-from rolamento.life.record import finite
+from rolamento.life.row_ratings import UnratedError
 from rolamento.lubrication.oil_choice import OilChoice, choose_oil
 from rolamento.records import frozen
 from rolamento.solution import solve
@@ -27,6 +27,7 @@ from rolamento.solved import Solved
 from rolamento.tasks.speed import Boundary, speed_limits
 from rolamento.types import of_balls
 from rolamento.units import HOUR, ZERO_CELSIUS
+from rolamento.validate import finite
 from rolamento.words import Note, said
 
 __all__ = ["GREASE_KAPPA", "GreaseCase", "choose_oil_of_case", "grease_of_case", "grease_of_solved"]
@@ -347,9 +348,7 @@ class _Asked:
             return nan
         try:
             basis = Basis.of(self.solved, conditions_of(self.solved))
-        except InputError as error:
-            if error.field not in ("bearing.contact_angle", "dynamic_rating"):
-                raise
+        except UnratedError:
             return nan
         load, reference = float(basis.loads.dynamic[0]), float(basis.reference_load[0])
         taken = load if isfinite(load) and load > 0.0 else reference

@@ -38,7 +38,7 @@ from rolamento.units import rpm_of
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.solved.machine import SolvedMachines
+    from rolamento.solved.machine import SolvedMachine
 
 __all__ = ["POINTS", "Mapped", "mapped", "read_subject", "speed_range"]
 
@@ -283,7 +283,7 @@ def _first_step(machine: Machine) -> Machine:
 
 def _of_bearing(
     name: str,
-    solved: Sequence[SolvedMachines],
+    solved: Sequence[SolvedMachine],
     shape: tuple[int, ...],
     axes: tuple[MapAxis, ...],
     made_of: dict[str, str],

@@ -13,7 +13,6 @@ from rolamento.errors import InputError
 from rolamento.io.json import dumps
 from rolamento.life.iso16281 import system_life
 from rolamento.life.oscillation import OscillationLife, lives_over_angles, oscillation_life
-from rolamento.life.record import finite
 from rolamento.life.spectrum import miner_life
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -21,6 +20,7 @@ from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.studies.solving import base_case
 from rolamento.tasks.life_spectrum import DutySteps, read_spectrum
+from rolamento.validate import finite
 from rolamento.words import Note, said
 
 __all__ = [

@@ -29,10 +29,16 @@ from rolamento.io.json import dumps, plain
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
-from rolamento.notes import SPEED_LIMIT, TILT_LIMIT, pressure_limit
 from rolamento.records import frozen
-from rolamento.roller_notes import are_rollers, misalignment, usual_misalignments
 from rolamento.solved import RACES
+from rolamento.solved.notes import (
+    SPEED_LIMIT,
+    TILT_LIMIT,
+    are_rollers,
+    misalignment,
+    pressure_limit,
+    usual_misalignments,
+)
 from rolamento.studies.names import setting_name
 from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension

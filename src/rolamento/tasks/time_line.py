@@ -9,11 +9,11 @@ from typing import Any, Final
 from rolamento.analysis import Analysis, analyse
 from rolamento.case import Case, case_of
 from rolamento.io.json import dumps
-from rolamento.life.record import finite
 from rolamento.records import frozen
 from rolamento.solved import Solved
 from rolamento.tasks.endings import ENDINGS, Ending
 from rolamento.units import HOUR
+from rolamento.validate import finite
 from rolamento.words import Note
 
 __all__ = ["ServiceLife", "service_life", "service_life_of"]

@@ -32,6 +32,9 @@ from rolamento.types._type import BALL, ROLLER, BearingType, Ribs
 
 __all__ = [
     "BALL",
+    "BY_ELEMENT",
+    "PLAIN_BALLS",
+    "PLAIN_ROLLER",
     "ROLLER",
     "TYPES",
     "BearingKey",
@@ -53,6 +56,10 @@ BearingKey = Literal[
 """Keys of the types, as a catalogue has them."""
 RollerElement = Literal["cylindrical", "tapered", "needle", "barrel"]
 """What rolls in a row of rollers, as a case file has it."""
+PLAIN_ROLLER: Final[RollerElement] = "cylindrical"
+"""What rolls in a row of rollers that does not say."""
+PLAIN_BALLS: Final[BearingKey] = "deep_groove"
+"""What a bearing of a catalogue is that does not say."""
 Grooves = Literal["four_point", "self_aligning", "thrust"]
 """What balls roll in, where it is not one groove a ring."""
 RollerRings = Literal["spherical", "toroidal", "thrust"]
@@ -85,14 +92,18 @@ TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
 assert tuple(TYPES) == get_args(BearingKey)
 
 _BY_RINGS: Final = {(one.rolls, one.grooves): one for one in TYPES.values() if one.grooves}
-_BY_ELEMENT: Final[dict[str, BearingType]] = {}
-for _one in TYPES.values():
-    _BY_ELEMENT.setdefault(_one.element, _one)
+BY_ELEMENT: Final[Mapping[str, BearingType]] = MappingProxyType(
+    {
+        one.element: next(own for own in TYPES.values() if own.element == one.element)
+        for one in TYPES.values()
+    }
+)
+"""The plain type of each rolling element, the first of its kind."""
 
 
 def type_of_element(element: str) -> BearingType:
     """Return the plain type of a rolling element, a key of a case file such as ``"tapered"``."""
-    return _BY_ELEMENT[element]
+    return BY_ELEMENT[element]
 
 
 def of_balls(*, angled: bool) -> BearingType:

@@ -7,6 +7,7 @@ from typing import Final, Literal
 
 from rolamento.ratings import RatedType, RollerRated
 from rolamento.records import frozen
+from rolamento.words import marked
 
 BALL: Final = "ball"
 ROLLER: Final = "roller"
@@ -17,6 +18,8 @@ Ribs = Literal["none", "+", "-", "both"]
 """At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
 OF_RIBS: Final = ("inner_ribs", "outer_ribs", "axial_play", "rib_height")
 """Fields that change nothing of rollers without ribs."""
+OF_BALLS: Final = ("past_edge", "shoulders", "control", "orbits", "gyroscopic_slip", "rolling")
+"""Notes on balls in plain grooves."""
 
 
 @frozen(kw_only=True)
@@ -35,6 +38,8 @@ class BearingType:
         What a case without a title is called, by what rolls in it; to be translated.
     element
         What rolls in it, as a case file has it.
+    rolling
+        What its element is called; to be translated.
     grooves
         ``kind`` of a bearing's record that is of such rings; None of plain ones.
     adjective
@@ -94,6 +99,8 @@ class BearingType:
         Whether makers have a permissible load of its ribs.
     described
         Sentence on its elements: count, diameter, length and pitch; to be translated, of rollers.
+    notes
+        Checks of `rolamento.solved.notes` on rows that are all of such types.
     """
 
     key: str
@@ -101,6 +108,7 @@ class BearingType:
     untitled: str
     called: str = ""
     element: str = BALL
+    rolling: str = marked("ball")
     grooves: str | None = None
     adjective: str = ""
     row: tuple[str, str] = ("rolamento.rows.ball.row", "ball_row")
@@ -130,6 +138,7 @@ class BearingType:
     usual_misalignment_of_wide: float | None = None
     ribbed: bool = False
     described: str = ""
+    notes: tuple[str, ...] = ()
 
     def misalignment_of(self, designation: str | None) -> float | None:
         """Return the tilt that makers let pass; the lesser one if the width is not known.

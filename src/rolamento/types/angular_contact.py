@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_BALLS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -18,4 +18,5 @@ TYPE: Final = BearingType(
     in_pairs=True,
     clearance_table="",
     carries_axial=True,
+    notes=OF_BALLS,
 )

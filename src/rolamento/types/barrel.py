@@ -14,6 +14,7 @@ TYPE: Final = BearingType(
     untitled=marked("Barrel roller bearing"),
     called="barrel barrel_roller tonnenlager rolos_barrilete rodillos_de_barrilete",
     element="barrel",
+    rolling=marked("barrel roller"),
     described=marked(
         "{count} barrel-shaped rollers of {diameter}, effective length {length}, pitch diameter"
         " {pitch}"
@@ -22,7 +23,7 @@ TYPE: Final = BearingType(
     rated="roller",
     aligns=True,
     inclined=True,
-    mountable=False,
+    clearance_table="spherical",
     class_table="spherical",
     class_table_of_tapered_bore="spherical_tapered",
     idle_fields=(*OF_RIBS, "preload"),

@@ -17,6 +17,7 @@ TYPE: Final = BearingType(
         "rodillos_cilindricos crb"
     ),
     element="cylindrical",
+    rolling=marked("cylindrical roller"),
     described=marked(
         "{count} cylindrical rollers of {diameter}, effective length {length}, pitch diameter"
         " {pitch}"

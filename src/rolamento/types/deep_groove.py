@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 from typing import Final
 
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_BALLS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -21,4 +21,5 @@ TYPE: Final = BearingType(
     # by clearance and size 2′ to 10′: SKF, Rolling bearings (17000 EN), deep groove ball bearings,
     # and NSK, Rolling Bearings (CAT. No. E1102), in radians
     usual_misalignment=radians(10.0 / 60.0),
+    notes=OF_BALLS,
 )

@@ -21,4 +21,5 @@ TYPE: Final = BearingType(
     mountable=False,
     class_table="four_point",
     carries_axial=True,
+    notes=("shoulders", "orbits", "gyroscopic_left_out", "arches", "rolling", "four_point_load"),
 )

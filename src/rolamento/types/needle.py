@@ -15,6 +15,7 @@ TYPE: Final = BearingType(
     untitled=marked("Needle roller bearing"),
     called="needle needle_roller nadellager rolos_de_agulhas agulhas",
     element="needle",
+    rolling=marked("needle"),
     described=marked(
         "{count} needle rollers of {diameter}, effective length {length}, pitch diameter {pitch}"
     ),

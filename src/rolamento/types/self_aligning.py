@@ -6,7 +6,7 @@ from math import radians
 from typing import Final
 
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_BALLS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -28,4 +28,5 @@ TYPE: Final = BearingType(
     usual_misalignment=radians(
         2.5
     ),  # Nachi, self-aligning ball bearings: series 12, 22; 13, 23: 3°
+    notes=OF_BALLS,
 )

@@ -16,6 +16,7 @@ TYPE: Final = BearingType(
         "tapered tapered_roller taper_roller kegelrollenlager rolos_conicos rodillos_conicos trb"
     ),
     element="tapered",
+    rolling=marked("tapered roller"),
     described=marked(
         "{count} tapered rollers of {diameter} mean diameter, effective length {length}, pitch"
         " diameter {pitch}"

@@ -23,4 +23,12 @@ TYPE: Final = BearingType(
     mountable=False,
     conformity=THRUST_CONFORMITY,
     carries_axial=True,
+    notes=(
+        "past_edge",
+        "shoulders",
+        "orbits",
+        "gyroscopic_left_out",
+        "rolling",
+        "radial_load_on_thrust",
+    ),
 )

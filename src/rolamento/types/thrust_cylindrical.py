@@ -26,4 +26,5 @@ TYPE: Final = BearingType(
     mountable=False,
     idle_fields=(*OF_RIBS, "preload"),
     carries_axial=True,
+    notes=("radial_load_on_thrust",),
 )

@@ -23,9 +23,10 @@ TYPE: Final = BearingType(
     rated="roller",
     rated_together=True,
     floats=True,
-    mountable=False,
+    clearance_table="toroidal",
     class_table="toroidal",
     class_table_of_tapered_bore="toroidal_tapered",
     idle_fields=(*OF_RIBS, "preload"),
     usual_misalignment=radians(0.5),  # SKF, Rolling bearings (17000 EN): up to 0.5°
+    notes=("axial_load_on_torus",),
 )

@@ -30,8 +30,8 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number
-from rolamento.vibration.signal import Signal
+from rolamento.validate import number, whole_number
+from rolamento.vibration.signal import Band, Signal, checked_band
 from rolamento.vibration.velocity import Velocity, rms_in, velocity_of
 from rolamento.words import Note, said
 
@@ -160,7 +160,7 @@ def measure_noise(
     velocity = velocity_of(signal, _RESOLUTION)
     known = isfinite(velocity.speed)
     speed = abs(velocity.speed) if known else SPEED
-    checked_number(speed, "speed", above=0.0, example="speed = 188.5")
+    number(speed, "speed", above=0.0, example="speed = 188.5")
     measured = []
     for name, band in bands.items():
         held = band[1] <= 0.5 * velocity.rate
@@ -191,7 +191,7 @@ def noise_steps(noise: Noise, parts: int = 8) -> dict[BandName, NoiseSteps]:
     InputError
         If the number of parts is none.
     """
-    checked_count(parts, "parts", least=1, most=_MOST_PARTS, example="parts = 8")
+    whole_number(parts, "parts", least=1, most=_MOST_PARTS, example="parts = 8")
     found = {}
     for band in noise.bands:
         if band.name in noise.missing:
@@ -248,7 +248,7 @@ def accept(
     InputError
         If a full scale is not positive, or there is none.
     """
-    checked_number(part, "part", above=0.0, most=1.0, example="part = 0.4")
+    number(part, "part", above=0.0, most=1.0, example="part = 0.4")
     names = [band.name for band in noise.bands]
     if not full_scale or not set(full_scale) <= set(names):
         raise InputError(
@@ -257,14 +257,14 @@ def accept(
             example='full_scale = {"low": 30.0, "medium": 60.0, "high": 60.0}',
         )
     for name, value in full_scale.items():
-        checked_number(value, f"full_scale.{name}", above=0.0, example="30.0")
+        number(value, f"full_scale.{name}", above=0.0, example="30.0")
     parts = {name: noise.of(name).anderons / value for name, value in full_scale.items()}
     rejected = tuple(name for name, value in parts.items() if not value <= part)
     return Acceptance(not rejected, parts, rejected)
 
 
 def _velocity_per_anderon(band: Band, speed: float) -> float:
-    checked_number(speed, "speed", above=0.0, example="speed = 188.5")
+    number(speed, "speed", above=0.0, example="speed = 188.5")
     low, high = checked_band(band, 1e12)
     if low <= 0.0:
         raise InputError(said("must begin above 0 Hz"), field="band", value=str(band))

@@ -37,14 +37,8 @@ import scipy
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import (
-    Band,
-    checked_band,
-    checked_count,
-    checked_number,
-    require_signal,
-)
-from rolamento.vibration.signal import Signal
+from rolamento.validate import number, whole_number
+from rolamento.vibration.signal import Band, Signal, checked_band, require_signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
 from rolamento.words import marked, said
 
@@ -100,9 +94,9 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     """
     require_signal(signal)
     samples, rate = signal.samples, signal.rate
-    checked_count(window, "window", least=16, most=65536, example="window = 256")
+    whole_number(window, "window", least=16, most=65536, example="window = 256")
     window += window % 2
-    checked_number(highest, "highest", above=0.0, most=0.25 * rate, example="highest = 500.0")
+    number(highest, "highest", above=0.0, most=0.25 * rate, example="highest = 500.0")
     step = max(1, min(window // _STEPS_PER_WINDOW, int(rate / (4.0 * highest))))
     blocks = (len(samples) - window) // step + 1
     if len(samples) < 32 * window:

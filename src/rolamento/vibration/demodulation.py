@@ -53,8 +53,8 @@ from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.numerics.threads import side_by_side
 from rolamento.records import frozen
-from rolamento.vibration._checks import Band, checked_band, checked_count, require_samples
-from rolamento.vibration.signal import Signal
+from rolamento.validate import whole_number
+from rolamento.vibration.signal import Band, Signal, checked_band, require_samples
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
 from rolamento.words import marked, said
 
@@ -330,7 +330,7 @@ def kurtogram(signal: Signal, levels: int | None = None) -> Kurtogram:
     depth = (
         min(possible, 8)
         if levels is None
-        else checked_count(levels, "levels", least=1, most=max(possible, 1), example="levels = 5")
+        else whole_number(levels, "levels", least=1, most=max(possible, 1), example="levels = 5")
     )
     # a kurtosis has no scale, and fourth powers may have none that is a number
     scale = float(np.max(np.abs(signal.samples))) or 1.0

@@ -34,6 +34,7 @@ from rolamento.io.json import plain
 from rolamento.kinematics import apex_mismatch, ball_motion, roller_motion
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.validate import number, one_of, whole_number
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
 
@@ -281,24 +282,12 @@ class FaultFrequencies:
 
 
 def _known(kind: FaultKind) -> FaultKind:
-    if kind not in FAULTS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(FAULTS)),
-            field="kind",
-            value=kind,
-            example="outer_race",
-        )
+    one_of(kind, "kind", FAULTS, "outer_race")
     return kind
 
 
 def _check_counts(harmonics: int, sidebands: int) -> None:
-    if not 1 <= harmonics <= _MOST_LINES:
-        raise InputError(
-            said("must be between 1 and {most}", most=_MOST_LINES),
-            field="harmonics",
-            value=harmonics,
-            example="3",
-        )
+    whole_number(harmonics, "harmonics", 1, _MOST_LINES, "3")
     if sidebands < 0 or harmonics * (2 * sidebands + 1) > _MOST_LINES:
         raise InputError(
             said(
@@ -717,7 +706,4 @@ def _spread_line(order: float, orders: Sequence[float], shaft_frequency: float) 
 
 
 def _check_slip(slip: float) -> None:
-    if not -1.0 <= slip <= 1.0:
-        raise InputError(
-            said("must be between -1 and 1"), field="slip", value=slip, example="slip = 0.01"
-        )
+    number(slip, "slip", least=-1.0, most=1.0, example="slip = 0.01")

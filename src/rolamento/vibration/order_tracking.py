@@ -17,8 +17,8 @@ import scipy
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import checked_number, require_signal
-from rolamento.vibration.signal import Quantity, Signal
+from rolamento.validate import number
+from rolamento.vibration.signal import Quantity, Signal, require_signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, one_sided_amplitudes
 from rolamento.words import said
 
@@ -108,7 +108,7 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
     slowest = float(np.min(_turning(signal)))
     whole = signal.rate / slowest
     enough = whole * (1.0 - _ROUNDING)
-    per_turn = checked_number(
+    per_turn = number(
         ceil(enough) if samples_per_revolution is None else samples_per_revolution,
         "samples_per_revolution",
         above=0.0,

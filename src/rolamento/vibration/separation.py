@@ -25,8 +25,8 @@ import scipy
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import checked_count, checked_number, require_signal
-from rolamento.vibration.signal import Signal
+from rolamento.validate import number, whole_number
+from rolamento.vibration.signal import Signal, require_signal
 from rolamento.words import marked, said
 
 _OVERLAP: Final = 4
@@ -94,7 +94,7 @@ def separate(
         _default_block(count) if block is None else _checked_samples(block, "block", 16, count // 2)
     )
     lag = size if delay is None else _checked_samples(delay, "delay", 1, count // 2)
-    checked_number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
+    number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
     if count < lag + 3 * size:
         raise InputError(
             said("must be at least {lag}, a delay and three blocks", lag=lag + 3 * size),
@@ -114,9 +114,7 @@ def separate(
 
 
 def _checked_samples(value: int, field: str, least: int, most: int) -> int:
-    return checked_count(
-        value, field, least=least, most=max(least, most), example=f"{field} = 8192"
-    )
+    return whole_number(value, field, least=least, most=max(least, most), example=f"{field} = 8192")
 
 
 def _default_block(count: int) -> int:

@@ -43,8 +43,8 @@ from rolamento.errors import InputError, arguments
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import Band, checked_number
-from rolamento.vibration.signal import Quantity, Signal
+from rolamento.validate import number, one_of
+from rolamento.vibration.signal import Band, Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum
 from rolamento.vibration.velocity import rms_in, velocity_of
 from rolamento.words import Note, said
@@ -203,9 +203,7 @@ def classes_of(
             example=arguments(support="rigid"),
         )
     if power is not None:
-        checked_number(
-            power, "power", above=0.0, most=_MOST_POWER, example=arguments(power="45 kW")
-        )
+        number(power, "power", above=0.0, most=_MOST_POWER, example=arguments(power="45 kW"))
         by_power = _group_of(power)
         if by_power and group not in (None, by_power):
             raise InputError(
@@ -256,13 +254,7 @@ def _old_class(
     power: float | None,
     known: tuple[MachineClass, ...],
 ) -> MachineClass:
-    if name not in CLASSES:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(CLASSES)),
-            field="machine_class",
-            value=name,
-            example=arguments(machine_class="II"),
-        )
+    one_of(name, "machine_class", CLASSES, arguments(machine_class="II"))
     for field_, value in (("group", group), ("support", support), ("power", power)):
         if value is not None:
             raise InputError(
@@ -311,9 +303,7 @@ def alarm_setting(machine: MachineClass, baseline: float | None = None) -> Alarm
     trip = rule["trip"] * c_d
     if baseline is None:
         return AlarmSetting(nan, b_c, trip)
-    checked_number(
-        baseline, "baseline", above=0.0, most=1e3, example=arguments(baseline="1.2 mm/s")
-    )
+    number(baseline, "baseline", above=0.0, most=1e3, example=arguments(baseline="1.2 mm/s"))
     alarm = min(baseline + rule["over_baseline"] * b_c, rule["greatest"] * b_c)
     return AlarmSetting(baseline, alarm, trip)
 

@@ -35,10 +35,10 @@ import scipy
 from rolamento.errors import InputError, arguments
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import checked_count, checked_number, require_signal
+from rolamento.validate import number, whole_number
 from rolamento.vibration.noise_floor import line_scores, log_gamma_tail
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
-from rolamento.vibration.signal import Signal
+from rolamento.vibration.signal import Signal, require_signal
 from rolamento.words import marked, said
 
 Edge = Literal["rising", "falling"]
@@ -78,7 +78,7 @@ def pulse_times(tacho: Signal, level: float | None = None, edge: Edge = "rising"
     if level is None:
         middle = 0.5 * float(low + high)
     else:
-        checked_number(level, "level", example="level = 2.5")
+        number(level, "level", example="level = 2.5")
         middle = level if edge == "rising" else -level
     margin = 0.5 * _HYSTERESIS * float(high - low)
     return _crossings(samples, middle, margin) / tacho.rate
@@ -113,7 +113,7 @@ def speed_from_pulses(
     """
     from scipy.interpolate import CubicSpline, PchipInterpolator  # slow to import
 
-    checked_count(
+    whole_number(
         pulses_per_revolution,
         "pulses_per_revolution",
         least=1,
@@ -254,11 +254,11 @@ def estimate_speed(
     InputError
         If an argument is out of range, the signal is too short or its rate too low.
     """
-    frequency = checked_number(nominal, "nominal", above=0.0, example="nominal = 188.5") / _TURN
-    checked_number(tolerance, "tolerance", above=0.0, most=0.3, example="tolerance = 0.1")
-    checked_count(harmonics, "harmonics", least=1, most=100, example="harmonics = 8")
-    checked_number(agility, "agility", above=0.0, most=0.3, example="agility = 0.02")
-    checked_number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
+    frequency = number(nominal, "nominal", above=0.0, example="nominal = 188.5") / _TURN
+    number(tolerance, "tolerance", above=0.0, most=0.3, example="tolerance = 0.1")
+    whole_number(harmonics, "harmonics", least=1, most=100, example="harmonics = 8")
+    number(agility, "agility", above=0.0, most=0.3, example="agility = 0.02")
+    number(false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
     require_signal(signal)
     highest = 1.2 * harmonics * (1.0 + tolerance) * frequency
     if highest > 0.5 * signal.rate:
@@ -382,16 +382,16 @@ class _Search:
         orders = np.arange(1, self.harmonics + 1)
         lines = np.rint(orders[:, None] * self.candidates[None] / resolution).astype(np.int64)
         found = np.empty((blocks, len(self.candidates)))
-        for number, start in enumerate(starts):
+        for row, start in enumerate(starts):
             power = np.square(np.abs(scipy.fft.rfft(window * samples[start : start + block], size)))
             # the noise about a harmonic: between it and its neighbours
             reach = round(float(np.mean(self.candidates)) / resolution)
             floor = [
-                np.median(power[max(1, int(row.mean()) - reach) : int(row.mean()) + reach])
-                for row in lines
+                np.median(power[max(1, int(near.mean()) - reach) : int(near.mean()) + reach])
+                for near in lines
             ]
             ratio = power[lines] / np.maximum(np.array(floor), 1e-300)[:, None]
-            found[number] = np.sum(np.log1p(ratio), axis=0)
+            found[row] = np.sum(np.log1p(ratio), axis=0)
         return found
 
 

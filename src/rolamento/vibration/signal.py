@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Final, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, nearest, shown
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.words import said
+from rolamento.validate import scalar
+from rolamento.words import marked, said
 
 Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
+
+Band = tuple[float, float]
+"""Lower and upper edge of a frequency band; Hz."""
 
 SI_UNITS: Final[dict[Quantity, str]] = {
     "acceleration": "m/s^2",
@@ -213,4 +218,88 @@ def _refuse_bad(numbers: FloatArray, maximum: float, field: str, example: str) -
             field=field,
             value=float(np.atleast_1d(numbers)[wrong]),
             example=example,
+        )
+
+
+# --- what analyses ask of a signal ------------------------------------------------------------
+
+
+def checked_band(band: object, rate: float, field: str = "band") -> Band:
+    """Return a band that lies within 0 and half the sampling rate; Hz.
+
+    Raises
+    ------
+    InputError
+        If it does not, or has no width.
+    """
+    given: tuple[object, ...] = ()
+    if isinstance(band, Sequence) and not isinstance(band, str) and len(band) == 2:
+        given = tuple(band)
+    low, high = map(scalar, given or (None, None))
+    if not 0.0 <= low < high <= 0.5 * rate:
+        raise InputError(
+            said(
+                "must be a lower and an upper frequency from 0 to half the sampling "
+                "rate, {rate:.6g} Hz",
+                rate=0.5 * rate,
+            ),
+            field=field,
+            value=f"({', '.join(shown(edge) for edge in given)})" if given else band,
+            example=f"{field} = (2000.0, 4000.0)",
+        )
+    return low, high
+
+
+def require_signal(given: object) -> None:
+    """Refuse what is no `Signal`: bare samples have no rate.
+
+    Raises
+    ------
+    InputError
+        If it is anything else.
+    """
+    if not isinstance(given, Signal):
+        raise InputError(
+            said("must be a Signal, samples with their rate"),
+            field="signal",
+            value=type(given).__name__,
+            example="Signal(samples, rate=51200.0)",
+        )
+
+
+def pieces_of(given: Signal | Iterable[Signal]) -> Iterator[Signal]:
+    """Return a signal, or the pieces of one, one by one.
+
+    Raises
+    ------
+    InputError
+        If it is neither, or there is none.
+    """
+    if isinstance(given, Signal) or not isinstance(given, Iterable):
+        require_signal(given)
+        yield given
+        return
+    nothing = True
+    for piece in given:
+        require_signal(piece)
+        nothing = False
+        yield piece
+    if nothing:
+        raise InputError(said("has no samples"), field="signal")
+
+
+def require_samples(signal: Signal, least: int, purpose: str) -> None:
+    """Refuse what is no signal, or one that is too short for a purpose.
+
+    Raises
+    ------
+    InputError
+        If it has fewer samples.
+    """
+    require_signal(signal)
+    if len(signal.samples) < least:
+        raise InputError(
+            said("must be at least {least} for {purpose}", least=least, purpose=said(purpose)),
+            field=marked("number of samples"),
+            value=len(signal.samples),
         )

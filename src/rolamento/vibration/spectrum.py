@@ -33,14 +33,8 @@ import scipy
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import (
-    Band,
-    checked_band,
-    checked_number,
-    require_samples,
-    require_signal,
-)
-from rolamento.vibration.signal import Signal
+from rolamento.validate import number
+from rolamento.vibration.signal import Band, Signal, checked_band, require_samples, require_signal
 from rolamento.words import marked
 
 
@@ -137,7 +131,7 @@ def averaged_density(signal: Signal, resolution: float) -> Spectrum:
     from scipy.signal import welch  # slow to import
 
     require_samples(signal, _LEAST, marked("a spectrum"))
-    checked_number(resolution, "resolution", above=0.0, example="resolution = 1.0")
+    number(resolution, "resolution", above=0.0, example="resolution = 1.0")
     samples = len(signal.samples)
     count = int(min(max(round(signal.rate / resolution), _LEAST), samples))
     frequency, density = welch(signal.samples, signal.rate, window="hann", nperseg=count)

@@ -19,8 +19,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import Band, pieces_of
-from rolamento.vibration.signal import Quantity, Signal
+from rolamento.vibration.signal import Band, Quantity, Signal, pieces_of
 from rolamento.vibration.spectrum import Spectrum, averaged_density, axis_of
 from rolamento.words import said
 

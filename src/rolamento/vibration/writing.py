@@ -17,8 +17,7 @@ import numpy as np
 from rolamento.errors import FileError, InputError
 from rolamento.io.writing import written_whole
 from rolamento.units import rpm_of
-from rolamento.vibration._checks import require_signal
-from rolamento.vibration.signal import Signal
+from rolamento.vibration.signal import Signal, require_signal
 from rolamento.words import marked, said
 
 ENDINGS: Final = (".wav", ".csv", ".npz")

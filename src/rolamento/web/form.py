@@ -17,8 +17,8 @@ from rolamento.case.fields import Field, fields_of, of_elements
 from rolamento.case.labels import choice_label
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.life.iso281 import MAXIMUM_LOAD
-from rolamento.notes import SPEED_LIMIT
 from rolamento.pages.report import TABLES
+from rolamento.solved.notes import SPEED_LIMIT
 from rolamento.tasks.report import Input
 from rolamento.types import BALL, ROLLER, TYPES
 from rolamento.units import Dimension, from_si, to_si, usual_units

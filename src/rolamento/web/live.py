@@ -18,7 +18,6 @@ from rolamento.case.report import ReportHead
 from rolamento.document import Document, Section
 from rolamento.document.html import body
 from rolamento.errors import InputError
-from rolamento.notes import nothing_given
 from rolamento.pages.given import no_load_text
 from rolamento.pages.report import (
     PARTS,
@@ -29,6 +28,7 @@ from rolamento.pages.report import (
     warnings_section,
 )
 from rolamento.records import frozen
+from rolamento.solved.notes import nothing_given
 from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
 from rolamento.web.answers import error_object
 from rolamento.web.form import inputs, likely

@@ -54,14 +54,13 @@ from rolamento.life import LifeSummary
 from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.lubrication import Film
 from rolamento.lubrication.regime import regimes
-from rolamento.notes import nothing_given
 from rolamento.pages.film import regime_name
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import power_unit, source_name, torque_unit
 from rolamento.pages.life import limiting_sentences
 from rolamento.records import frozen
-from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
+from rolamento.solved.notes import are_rollers, nothing_given
 from rolamento.tasks.heat import balance_of
 from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS

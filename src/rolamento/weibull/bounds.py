@@ -11,14 +11,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import (
-    finite_or_none,
-    generator,
-    one_of,
-    sample_count,
-    shape_of,
-    share,
-)
+from rolamento.validate import finite, generator, one_of, share
 from rolamento.weibull.drawing import model_of
 from rolamento.weibull.estimates import fixed_shape, fixed_shape_limits, maximum_likelihood
 from rolamento.weibull.fit import Estimand, Outcome, WeibullFit
@@ -28,6 +21,7 @@ from rolamento.weibull.likelihood_ratio import (
     fisher_limits,
     likelihood_ratio_limits,
 )
+from rolamento.weibull.limits import sample_count, shape_of
 from rolamento.weibull.sampled import sampled_limits
 from rolamento.words import Note, said
 
@@ -115,9 +109,9 @@ class Bounds(Outcome):
             "method": self.method,
             "confidence": self.confidence,
             "sides": self.sides,
-            "estimate": finite_or_none(self.estimate),
-            "lower": finite_or_none(self.lower),
-            "upper": finite_or_none(self.upper),
+            "estimate": finite(self.estimate),
+            "lower": finite(self.lower),
+            "upper": finite(self.upper),
             "unit": self.unit,
             "status": self.status(),
             "samples": self.samples,

@@ -43,14 +43,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import (
-    finite_or_none,
-    generator,
-    one_of,
-    positive,
-    sample_count,
-    share,
-)
+from rolamento.validate import finite, generator, number, one_of, share
 from rolamento.weibull.bounds import Bounds, Method, bounds
 from rolamento.weibull.drawing import (
     MANY,
@@ -72,6 +65,7 @@ from rolamento.weibull.likelihood import (
     fit_rows,
 )
 from rolamento.weibull.likelihood_ratio import calibrated_p_value, profile_fall
+from rolamento.weibull.limits import sample_count
 from rolamento.weibull.sampled import pivotal_draws
 from rolamento.words import Note, said
 
@@ -145,8 +139,8 @@ class Comparison(Outcome):
             "status": self.status(),
             "groups": list(self.groups),
             "fits": [fit.to_mapping() for fit in self.fits],
-            "scales": [finite_or_none(scale) for scale in self.scales],
-            **{name: finite_or_none(getattr(self, name)) for name in numbers},
+            "scales": [finite(scale) for scale in self.scales],
+            **{name: finite(getattr(self, name)) for name in numbers},
             "freedom": self.freedom,
             "samples": self.samples,
             "dropped": self.dropped,
@@ -400,7 +394,7 @@ class LifeRatio(Outcome):
             "reliability": self.reliability,
             "common_shape": self.common_shape,
             "status": self.status(),
-            **{name: finite_or_none(getattr(self, name)) for name in numbers},
+            **{name: finite(getattr(self, name)) for name in numbers},
             "confidence": self.confidence,
             "samples": self.samples,
             "dropped": self.dropped,
@@ -579,7 +573,7 @@ class CalculatedLife:
             "verdict": self.verdict,
             "bearings_live": self.bearings_live,
             "calculated": self.calculated,
-            **{name: finite_or_none(getattr(self, name)) for name in numbers},
+            **{name: finite(getattr(self, name)) for name in numbers},
             "observed": self.observed.to_mapping(),
         }
 
@@ -617,7 +611,7 @@ def against_calculated_life(
     InputError
         For a life that is not above zero, a method that has no p-value here, and so on.
     """
-    test, life = LifeTest.of(test), positive(calculated, "calculated", "1000.0")
+    test, life = LifeTest.of(test), number(calculated, "calculated", above=0.0, example="1000.0")
     quantity = Estimand.life(share(reliability, "reliability"))
     if method is not None and method not in VERDICT_METHODS:
         raise InputError(

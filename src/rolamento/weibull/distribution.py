@@ -26,18 +26,11 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import (
-    finite_or_none,
-    generator,
-    positive,
-    sample_count,
-    shape_of,
-    share,
-    time_of,
-)
+from rolamento.validate import finite, generator, number, share
 from rolamento.weibull.estimates import ENDED_BY_FAILURES, fixed_shape, maximum_likelihood
 from rolamento.weibull.fit import Outcome
 from rolamento.weibull.life_test import LifeTest
+from rolamento.weibull.limits import sample_count, shape_of, time_of
 from rolamento.weibull.sampled import pivotal_draws
 from rolamento.words import Note, said
 
@@ -59,7 +52,7 @@ class Interval:
     def to_mapping(self) -> dict[str, float | None]:
         """Give it as plain values; None where there is no number."""
         names = ("value", "lower", "upper")
-        return {name: finite_or_none(getattr(self, name)) for name in names}
+        return {name: finite(getattr(self, name)) for name in names}
 
 
 @frozen(eq=False)
@@ -137,7 +130,7 @@ class LifeDistribution(Outcome):
             )
         if scale is None:
             assert l10 is not None
-            scale = positive(l10, "l10", "5000.0") * exp(-log(-log(0.9)) / beta)
+            scale = number(l10, "l10", above=0.0, example="5000.0") * exp(-log(-log(0.9)) / beta)
         eta = time_of(scale, "scale")
         nothing = np.empty(0)
         return cls("converged", beta, eta, unit, "given", 0, 0, nothing, nothing)
@@ -219,14 +212,14 @@ class LifeDistribution(Outcome):
         return {
             "method": self.method,
             "status": self.status(),
-            "shape": finite_or_none(self.shape),
-            "scale": finite_or_none(self.scale),
+            "shape": finite(self.shape),
+            "scale": finite(self.scale),
             "unit": self.unit,
             "failures": self.failures,
             "size": self.size,
             "samples": self.samples,
             "seed": self.seed,
-            "longest_time": finite_or_none(self.longest),
+            "longest_time": finite(self.longest),
             "notes": [note.to_mapping() for note in self.notes],
         }
 

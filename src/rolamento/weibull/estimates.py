@@ -46,7 +46,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
-from rolamento.weibull._checks import numbers, one_of, shape_of, whole_number
+from rolamento.validate import numbers, one_of, whole_number
 from rolamento.weibull.fit import Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.life_test import MAXIMUM_UNITS, LifeTest
 from rolamento.weibull.likelihood import (
@@ -61,6 +61,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     maximise,
 )
+from rolamento.weibull.limits import shape_of
 from rolamento.words import Note, said
 
 Ranks = Literal["median", "benard"]

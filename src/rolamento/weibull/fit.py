@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import finite_or_none, numbers, positive, share, shares
+from rolamento.validate import finite, number, numbers, share, shares
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest
 from rolamento.words import Note, said
 
@@ -156,14 +156,14 @@ class WeibullFit(Outcome):
     def to_mapping(self) -> dict[str, Any]:
         """Give the fit as plain values; None where there is no number."""
         numbers = ("shape", "scale", "location", "log_likelihood", "correlation")
-        found = {name: finite_or_none(getattr(self, name)) for name in numbers}
+        found = {name: finite(getattr(self, name)) for name in numbers}
         return {
             "method": self.method,
             "status": self.status(),
             **found,
-            "l10": finite_or_none(self.l10),
-            "l50": finite_or_none(self.l50),
-            "mean": finite_or_none(self.mean),
+            "l10": finite(self.l10),
+            "l50": finite(self.l50),
+            "mean": finite(self.mean),
             "failures": self.failures,
             "size": self.size,
             "unit": self.unit,
@@ -235,7 +235,7 @@ class Estimand:
     @classmethod
     def reliability(cls, time: float) -> Self:
         """Share of the bearings that reach a time."""
-        t = positive(time, "time", "100.0")
+        t = number(time, "time", above=0.0, example="100.0")
         return cls("reliability", t, f"R{t:.12g}")
 
     @property

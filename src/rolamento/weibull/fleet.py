@@ -34,15 +34,9 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray, IntArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import (
-    LONGEST_TIME,
-    finite_or_none,
-    generator,
-    numbers,
-    share,
-    whole_number,
-)
+from rolamento.validate import finite, generator, numbers, share, whole_number
 from rolamento.weibull.distribution import LifeDistribution
+from rolamento.weibull.limits import LONGEST_TIME
 from rolamento.weibull.residual import conditional_reliability
 from rolamento.words import Note, said
 
@@ -213,18 +207,18 @@ class FleetForecast:
             "bearings": self.fleet.size,
             "renewed": self.renewed,
             "confidence": self.confidence,
-            "expected": finite_or_none(self.end.expected),
-            "prediction": [finite_or_none(self.end.lower), finite_or_none(self.end.upper)],
-            "prediction_at_estimate": [finite_or_none(limit) for limit in self.exact],
-            "probability_of_none": finite_or_none(self.none),
-            "expected_by_now": finite_or_none(self.now),
+            "expected": finite(self.end.expected),
+            "prediction": [finite(self.end.lower), finite(self.end.upper)],
+            "prediction_at_estimate": [finite(limit) for limit in self.exact],
+            "probability_of_none": finite(self.none),
+            "expected_by_now": finite(self.now),
             "draws": self.draws,
             "steps": [
                 {
                     "part": step.part,
-                    "expected": finite_or_none(step.expected),
-                    "lower": finite_or_none(step.lower),
-                    "upper": finite_or_none(step.upper),
+                    "expected": finite(step.expected),
+                    "lower": finite(step.lower),
+                    "upper": finite(step.upper),
                 }
                 for step in self.steps
             ],

@@ -44,12 +44,13 @@ from numpy.typing import ArrayLike
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import finite_or_none, generator, sample_count, shape_of
+from rolamento.validate import finite, generator
 from rolamento.weibull.drawing import MINIMUM_FITS, Inspected, RightCensored, model_of, portions
 from rolamento.weibull.estimates import fixed_shape, maximum_likelihood, rows_of
 from rolamento.weibull.fit import Outcome, WeibullFit
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import CONVERGED, Likelihood, Rows, fit_rows, fits_of
+from rolamento.weibull.limits import sample_count, shape_of
 from rolamento.words import Note
 
 __all__ = ["DogLeg", "GoodnessOfFit", "anderson_darling", "goodness_of_fit"]
@@ -119,7 +120,7 @@ class DogLeg:
             "statistic",
             "p_value",
         )
-        return {name: finite_or_none(getattr(self, name)) for name in names}
+        return {name: finite(getattr(self, name)) for name in names}
 
 
 @frozen
@@ -186,8 +187,8 @@ class GoodnessOfFit(Outcome):
         return {
             "method": self.method,
             "status": self.status(),
-            "statistic": finite_or_none(self.statistic),
-            "p_value": finite_or_none(self.p_value),
+            "statistic": finite(self.statistic),
+            "p_value": finite(self.p_value),
             "contradicted": self.contradicted,
             "dog_leg": None if self.dog_leg is None else self.dog_leg.to_mapping(),
             "samples": self.samples,

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import numbers
+from rolamento.validate import numbers
 from rolamento.words import Note, marked, said
 from rolamento.words.naming import one_line, shortened
 
@@ -121,7 +121,9 @@ class LifeTest:
             "times": t,
             "failed": _flags_of(failed, rows),
             "lower": _spread(
-                numbers(np.nan if lower is None else lower, "lower", "[100.0]"), "lower", rows
+                np.array(numbers(np.nan if lower is None else lower, "lower", "[100.0]")),
+                "lower",
+                rows,
             ),
             "counts": _counts_of(counts, rows),
             "group": _labels_of(group, "group", rows),
@@ -372,7 +374,7 @@ def _shown(title: str) -> str:
 
 def _times_of(values: ArrayLike) -> FloatArray:
     """Return times, one a row."""
-    array = numbers(values, "times", _EXAMPLE)
+    array = np.array(numbers(values, "times", _EXAMPLE))  # a copy: the caller's may change
     if array.ndim != 1 or not 1 <= len(array) <= MAXIMUM_ROWS:
         raise InputError(
             said("must be a list of 1 to {most} numbers", most=MAXIMUM_ROWS),

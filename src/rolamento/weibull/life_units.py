@@ -7,7 +7,7 @@ from typing import Final
 
 from rolamento.errors import InputError
 from rolamento.units import doubt_of_thousands, typed
-from rolamento.weibull._checks import positive
+from rolamento.validate import number
 from rolamento.words import said
 
 _WRITTEN: Final = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*")
@@ -67,7 +67,7 @@ def life_in(life: float | str, unit: str, field: str) -> float:
     """
     example = f"100 {unit}"
     if not isinstance(life, str):
-        return positive(life, field, f'"{example}"')
+        return number(life, field, above=0.0, example=f'"{example}"')
     value, given = life_with_unit(life, field, example)
     factor = _factor(given, unit)
     if factor is None:

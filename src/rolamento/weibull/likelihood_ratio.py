@@ -40,7 +40,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import ValueAndSlope, increasing_root
 from rolamento.records import frozen
-from rolamento.weibull._checks import generator, sample_count, shares
+from rolamento.validate import generator, shares
 from rolamento.weibull.drawing import (
     MINIMUM_FITS,
     Drawing,
@@ -53,6 +53,7 @@ from rolamento.weibull.estimates import maximum_likelihood
 from rolamento.weibull.fit import Estimand, WeibullFit
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import CONVERGED, Likelihood, Rows, fit_rows, fits_of
+from rolamento.weibull.limits import sample_count
 from rolamento.words import said
 
 Kind = Literal["shape", "life", "reliability"]

@@ -38,7 +38,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import finite_or_none, share
+from rolamento.validate import finite, share
 from rolamento.weibull.estimates import maximum_likelihood, three_parameter
 from rolamento.weibull.fit import Outcome, WeibullFit
 from rolamento.weibull.life_test import LifeTest
@@ -97,10 +97,10 @@ class LifeModel(Outcome):
         return {
             "name": self.name,
             "status": self.status(),
-            "parameters": {name: finite_or_none(x) for name, x in self.parameters.items()},
-            "log_likelihood": finite_or_none(self.log_likelihood),
-            "aicc": finite_or_none(self.aicc),
-            "l10": finite_or_none(self.l10),
+            "parameters": {name: finite(x) for name, x in self.parameters.items()},
+            "log_likelihood": finite(self.log_likelihood),
+            "aicc": finite(self.aicc),
+            "l10": finite(self.l10),
         }
 
 

@@ -27,7 +27,7 @@ import numpy as np
 
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import finite_or_none
+from rolamento.validate import finite
 from rolamento.weibull.bounds import Bounds, Sides
 from rolamento.weibull.distribution import LifeDistribution
 from rolamento.weibull.estimates import fixed_shape, maximum_likelihood
@@ -70,7 +70,7 @@ class ModeResult:
             "name": self.name,
             "fit": self.fit.to_mapping(),
             "if_unknown_were_of_it": None if self.earliest is None else self.earliest.to_mapping(),
-            "hazard_share": finite_or_none(self.hazard_share),
+            "hazard_share": finite(self.hazard_share),
         }
 
 
@@ -133,8 +133,8 @@ class ModeSystem(Outcome):
             "bounds": [bound.to_mapping() for bound in self.bounds],
             "pooled": self.pooled.to_mapping(),
             "goodness_of_fit_pooled": self.goodness.to_mapping(),
-            "log_likelihood": finite_or_none(self.log_likelihood),
-            "log_likelihood_pooled": finite_or_none(self.log_likelihood_pooled),
+            "log_likelihood": finite(self.log_likelihood),
+            "log_likelihood_pooled": finite(self.log_likelihood_pooled),
             "unknown": self.unknown,
             "notes": [note.to_mapping() for note in self.notes],
         }

@@ -26,16 +26,9 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import (
-    MAXIMUM_SHAPE,
-    finite_or_none,
-    numbers,
-    positive,
-    shape_of,
-    share,
-    whole_number,
-)
+from rolamento.validate import finite, number, numbers, share, whole_number
 from rolamento.weibull.life_test import MAXIMUM_TIME
+from rolamento.weibull.limits import MAXIMUM_SHAPE, shape_of
 from rolamento.words import Note, said
 
 MAXIMUM_ALLOWED: Final = 1000
@@ -146,7 +139,7 @@ class Demonstration:
         life_ratio
             True life over the one to be shown.
         """
-        ratio = positive(life_ratio, "life_ratio", "2.0")
+        ratio = number(life_ratio, "life_ratio", above=0.0, example="2.0")
         if not isfinite(self.time) or not self.bearings:
             return float("nan")
         t = np.linspace(0.0, 1.0, _POINTS)
@@ -160,7 +153,7 @@ class Demonstration:
         values = {name: value for name, value in asdict(self).items() if name != "code"}
         values["total_time"] = self.total_time
         plain = {
-            name: finite_or_none(value) if isinstance(value, float) else value
+            name: finite(value) if isinstance(value, float) else value
             for name, value in values.items()
         }
         return {
@@ -213,7 +206,7 @@ def demonstrate(
     >>> print(f"{demonstrate(1000.0, shape=1.5, bearings=22).time:.0f} h")
     996 h
     """
-    wanted = positive(life, "life", "1000.0")
+    wanted = number(life, "life", above=0.0, example="1000.0")
     given = (
         wanted, share(reliability, "reliability"), share(confidence, "confidence"),
         planned_shape(shape),
@@ -224,7 +217,7 @@ def demonstrate(
     if bearings is not None:
         whole_number(bearings, "bearings", given[4] + 1, MAXIMUM_BEARINGS)
     if time is not None:
-        positive(time, "time", "500.0")
+        number(time, "time", above=0.0, example="500.0")
     if bearings is None:
         assert time is not None
         return _bearings_for(*given, time)

@@ -25,10 +25,11 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
-from rolamento.weibull._checks import one_of, shape_of, share
+from rolamento.validate import one_of, share
 from rolamento.weibull.fit import Estimand, advice_on
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import Likelihood
+from rolamento.weibull.limits import shape_of
 from rolamento.words import Note, said
 
 _REACH: Final = 60.0

@@ -39,16 +39,10 @@ from numpy.typing import NDArray
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import (
-    finite_or_none,
-    generator,
-    positive,
-    sample_count,
-    share,
-    whole_number,
-)
+from rolamento.validate import finite, generator, number, share, whole_number
 from rolamento.weibull.drawing import FirstFailures, draw_fits
 from rolamento.weibull.likelihood import CONVERGED
+from rolamento.weibull.limits import sample_count
 from rolamento.weibull.planning import (
     MAXIMUM_BEARINGS,
     advice_on_plan,
@@ -97,7 +91,7 @@ class FailureTime:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the time as plain values; None where it is beyond any number."""
-        return {name: finite_or_none(value) for name, value in asdict(self).items()}
+        return {name: finite(value) for name, value in asdict(self).items()}
 
 
 @frozen(eq=False)
@@ -179,7 +173,7 @@ class LifeTestPlan:
         return {
             "status": status_of_plan(self.code),
             **{name: getattr(self, name) for name in counts},
-            **{name: finite_or_none(getattr(self, name)) for name in numbers},
+            **{name: finite(getattr(self, name)) for name in numbers},
             "duration": None if self.duration is None else self.duration.to_mapping(),
         }
 
@@ -265,10 +259,10 @@ def plan_for_ratio(
     InputError
         For a number out of range.
     """
-    wanted = positive(ratio, "ratio", "5.0")
+    wanted = number(ratio, "ratio", above=0.0, example="5.0")
     if wanted <= 1.0:
         raise InputError(said("must be above 1"), field="ratio", value=ratio, example="5.0")
-    part = positive(failed_share, "failed_share", "0.5")
+    part = number(failed_share, "failed_share", above=0.0, example="0.5")
     if part > 1.0:
         raise InputError(said("must be at most 1"), field="failed_share", value=part, example="0.5")
     most = MAXIMUM_FAILURES
@@ -366,7 +360,7 @@ class _Expected:
         return cls(
             whole_number(group_size, "group_size", 1, MAXIMUM_RIG_SIZE),
             planned_shape(shape),
-            positive(life, "life", "1000.0"),
+            number(life, "life", above=0.0, example="1000.0"),
             share(reliability, "reliability"),
             share(confidence, "confidence"),
             sample_count(samples),
@@ -477,7 +471,7 @@ def failure_time(
         If a number is out of range.
     """
     r, n = _ranked(rank, size)
-    beta, eta = planned_shape(shape), positive(scale, "scale", "1000.0")
+    beta, eta = planned_shape(shape), number(scale, "scale", above=0.0, example="1000.0")
     tail = 0.5 * (1.0 - share(probability, "probability"))
     # each limit from its own side, so that none is lost in 1 - F
     risks = _risk_below(r, n, tail), _risk_below(r, n, 0.5), _risk_above(r, n, tail)
@@ -491,7 +485,7 @@ def failure_time(
 def mean_failure_times(count: int, size: int, shape: float, scale: float = 1.0) -> FloatArray:
     """Mean times of the first failures among n bearings: (count,); parameters as `failure_time`."""
     r, n = _ranked(count, size)
-    beta, eta = planned_shape(shape), positive(scale, "scale", "1000.0")
+    beta, eta = planned_shape(shape), number(scale, "scale", above=0.0, example="1000.0")
     ranks = np.arange(1, r + 1)
     parts = [
         _moments_of_times(ranks[i : i + _RANKS_AT_ONCE], n, beta)[0]

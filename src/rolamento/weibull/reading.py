@@ -61,7 +61,7 @@ from rolamento.io.columns import (
 from rolamento.io.numerals import Numerals
 from rolamento.io.tables import Table, parse_table, table_text
 from rolamento.records import frozen
-from rolamento.weibull._checks import one_of
+from rolamento.validate import one_of
 from rolamento.weibull.life_test import (
     LONGEST_LABEL,
     MAXIMUM_ROWS,

@@ -33,7 +33,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
-from rolamento.weibull._checks import finite_or_none, positive, share
+from rolamento.validate import finite, number, share
 from rolamento.weibull.distribution import Interval, LifeDistribution
 from rolamento.words import said
 
@@ -191,19 +191,19 @@ class AgeReplacement:
             "cost_failure": self.failure,
             "confidence": self.confidence,
             "age": self.age.to_mapping(),
-            "cost_per_time": finite_or_none(self.cost),
-            "cost_per_time_on_failure": finite_or_none(self.cost_on_failure),
+            "cost_per_time": finite(self.cost),
+            "cost_per_time_on_failure": finite(self.cost_on_failure),
             "saving": self.saving.to_mapping(),
-            "share_without_optimum": finite_or_none(self.no_optimum),
-            "share_failed": finite_or_none(self.failed),
-            "mean_time_between_replacements": finite_or_none(self.interval),
-            "ages_within_5_percent": [finite_or_none(age) for age in self.near],
+            "share_without_optimum": finite(self.no_optimum),
+            "share_failed": finite(self.failed),
+            "mean_time_between_replacements": finite(self.interval),
+            "ages_within_5_percent": [finite(age) for age in self.near],
             "if_shape": [
                 {
                     "shape": one.shape,
-                    "age": finite_or_none(one.best),
-                    "saving": finite_or_none(one.saving),
-                    "regret": finite_or_none(one.regret),
+                    "age": finite(one.best),
+                    "saving": finite(one.saving),
+                    "regret": finite(one.regret),
                 }
                 for one in self.if_shape
             ],
@@ -266,7 +266,7 @@ def age_replacement(
 
 
 def _cost(value: float, field: str) -> float:
-    cost = positive(value, field, "500.0")
+    cost = number(value, field, above=0.0, example="500.0")
     if cost > _GREATEST_COST:
         raise InputError(
             said("must be at most {most:.6g}", most=_GREATEST_COST), field=field, value=value

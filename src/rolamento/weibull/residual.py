@@ -18,8 +18,9 @@ import numpy as np
 
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import share, time_of
+from rolamento.validate import share
 from rolamento.weibull.distribution import Interval, LifeDistribution
+from rolamento.weibull.limits import time_of
 
 __all__ = [
     "RemainingLife",

@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import generator, one_of, sample_count
+from rolamento.validate import generator, one_of
 from rolamento.weibull.drawing import MAXIMUM_BLOCKS, Drawing, draw_fits, model_of, portions
 from rolamento.weibull.estimates import ENDED_BY_FAILURES, log_likelihood, maximum_likelihood
 from rolamento.weibull.fit import Estimand, WeibullFit
@@ -44,6 +44,7 @@ from rolamento.weibull.likelihood import (
     fits_of,
     joined,
 )
+from rolamento.weibull.limits import sample_count
 from rolamento.words import Note, said
 
 Correction = Literal["median", "mean", "ross"]

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError, arguments
 from rolamento.records import frozen
-from rolamento.weibull._checks import finite_or_none, one_of
+from rolamento.validate import finite, one_of
 from rolamento.weibull.bounds import Band, Bounds, Method, Sides, all_bounds, confidence_band
 from rolamento.weibull.comparison import (
     VERDICT_METHODS,
@@ -177,7 +177,7 @@ class Credible:
         return {
             "quantity": self.quantity,
             "unit": self.unit,
-            **{name: finite_or_none(getattr(self, name)) for name in names},
+            **{name: finite(getattr(self, name)) for name in names},
             "probability": self.probability,
         }
 

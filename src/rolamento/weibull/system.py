@@ -20,7 +20,8 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
-from rolamento.weibull._checks import numbers, one_of, shape_of, shares
+from rolamento.validate import numbers, one_of, shares
+from rolamento.weibull.limits import shape_of
 from rolamento.words import said
 
 EXPONENTS: Final = {"ball": 10.0 / 9.0, "roller": 9.0 / 8.0}

@@ -47,7 +47,7 @@ from rolamento.io.numerals import DECIMAL_COMMA, Numerals
 from rolamento.io.tables import Table, parse_table, table_text
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.weibull._checks import one_of
+from rolamento.validate import one_of
 from rolamento.weibull.life_test import LONGEST_LABEL, TextArray, passed_over_notes
 from rolamento.words import Note, marked, said
 

@@ -10,8 +10,8 @@ from collections.abc import Callable
 from math import isinf, isnan, nan
 from typing import TYPE_CHECKING, Any, Literal
 
-from rolamento.life.record import finite
 from rolamento.records import frozen
+from rolamento.validate import finite
 from rolamento.words import Note
 
 if TYPE_CHECKING:

@@ -40,12 +40,12 @@ from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.numerics.percentiles import median
 from rolamento.numerics.threads import side_by_side
 from rolamento.records import frozen
-from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import MOST_GAPS, Block, Watch
 from rolamento.vibration.diagnosis.lines import envelope_leakage, power_of, reach, runs, taper
 from rolamento.vibration.diagnosis.whitening import Comb, Whitening, even_places
 from rolamento.vibration.noise_floor import HALF_WIDTH
 from rolamento.vibration.order_tracking import interpolated
+from rolamento.vibration.signal import Band
 from rolamento.words import said
 
 _LEFT_OUT_TO: Final = 0.3

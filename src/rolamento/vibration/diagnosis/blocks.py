@@ -16,10 +16,9 @@ import scipy
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import pieces_of
 from rolamento.vibration.diagnosis.lines import runs
 from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
-from rolamento.vibration.signal import Signal
+from rolamento.vibration.signal import Signal, pieces_of
 from rolamento.words import marked, said
 
 MOST_SAMPLES: Final = 2**21

@@ -10,9 +10,9 @@ import numpy as np
 
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, Grade, depth_of
+from rolamento.vibration.signal import Band
 from rolamento.words import Note
 from rolamento.words.naming import of_element
 

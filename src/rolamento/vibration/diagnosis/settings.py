@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from rolamento.errors import InputError
 from rolamento.records import frozen
-from rolamento.vibration._checks import checked_number
+from rolamento.validate import number
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ class FaultOrders:
                 example="(0.5,)",
             )
         for order in self.known:
-            checked_number(order, "known", least=_LEAST_KNOWN, most=_HIGHEST, example="(0.5,)")
+            number(order, "known", least=_LEAST_KNOWN, most=_HIGHEST, example="(0.5,)")
 
     @classmethod
     def from_frequencies(
@@ -104,7 +104,7 @@ class FaultOrders:
         InputError
             If a number is out of range, or no component has a frequency.
         """
-        checked_number(shaft, "shaft", above=0.0, example="shaft = 29.95")
+        number(shaft, "shaft", above=0.0, example="shaft = 29.95")
         return cls(
             outer_race=None if outer_race is None else outer_race / shaft,
             inner_race=None if inner_race is None else inner_race / shaft,
@@ -168,9 +168,7 @@ class FaultOrders:
 
     def _check(self, name: str, *, above: float | None = None, least: float | None = None) -> None:
         value = getattr(self, name)
-        checked_number(
-            value, name, above=above, least=least, most=_HIGHEST, example=f"{name} = 3.585"
-        )
+        number(value, name, above=above, least=least, most=_HIGHEST, example=f"{name} = 3.585")
 
 
 # --- settings ------------------------------------------------------------------------------------
@@ -213,25 +211,23 @@ class DiagnosisSettings:
     remove_tones: bool = True
 
     def __post_init__(self) -> None:
-        checked_number(
-            self.false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01"
-        )
-        checked_number(self.tolerance, "tolerance", least=0.0, most=0.1, example="tolerance = 0.02")
-        checked_number(
+        number(self.false_alarm, "false_alarm", above=0.0, most=0.5, example="false_alarm = 0.01")
+        number(self.tolerance, "tolerance", least=0.0, most=0.1, example="tolerance = 0.02")
+        number(
             self.speed_tolerance,
             "speed_tolerance",
             least=0.0,
             most=0.1,
             example="speed_tolerance = 0.03",
         )
-        checked_number(
+        number(
             self.speed_uncertainty,
             "speed_uncertainty",
             least=0.0,
             most=0.02,
             example="speed_uncertainty = 0.001",
         )
-        checked_number(
+        number(
             self.block_revolutions,
             "block_revolutions",
             least=2.0,

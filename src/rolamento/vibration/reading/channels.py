@@ -18,7 +18,7 @@ from rolamento.errors import FileError, InputError, arguments, nearest, phrase, 
 from rolamento.io.numerals import Numerals
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import checked_number
+from rolamento.validate import number
 from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, TwoWays, short_name
 from rolamento.vibration.reading.units import (
     SPEED_UNITS,
@@ -262,9 +262,7 @@ def _rate(channel: Channel, given: float | None) -> float:
             field = marked("sampling rate")
         raise InputError(rule, field=field, example=arguments(rate=51200.0))
     rate = channel.rate if given is None else given
-    return checked_number(
-        rate, "rate", above=0.0, most=_HIGHEST_RATE, example=arguments(rate=51200.0)
-    )
+    return number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example=arguments(rate=51200.0))
 
 
 def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[Note, ...]:

@@ -13,7 +13,7 @@ from rolamento.errors import FileError, InputError, arguments
 from rolamento.io.foreign.bounds import guarded
 from rolamento.io.numerals import checked_mark
 from rolamento.numerics import FloatArray
-from rolamento.vibration._checks import checked_count, checked_number
+from rolamento.validate import number, whole_number
 from rolamento.vibration.reading.channels import (
     MOST_SAMPLES,
     Channel,
@@ -115,13 +115,11 @@ class SignalFile:
         """
         name = str(self.path)
         with guarded(name, marked("signal file")):
-            start = checked_count(
-                start, "start", least=0, most=self.length - 1, example="start = 0"
-            )
+            start = whole_number(start, "start", least=0, most=self.length - 1, example="start = 0")
             rest = self.length - start
             if count is None:
                 count = rest
-            count = checked_count(count, "count", least=1, most=rest, example="count = 1000")
+            count = whole_number(count, "count", least=1, most=rest, example="count = 1000")
             if count > MOST_SAMPLES:
                 raise InputError(
                     said(
@@ -157,8 +155,8 @@ class SignalFile:
         FileError
             As `read`.
         """
-        size = checked_count(size, "size", least=1, most=MOST_SAMPLES, example="size = 65536")
-        overlap = checked_count(overlap, "overlap", least=0, most=size - 1, example="overlap = 0")
+        size = whole_number(size, "size", least=1, most=MOST_SAMPLES, example="size = 65536")
+        overlap = whole_number(overlap, "overlap", least=0, most=size - 1, example="overlap = 0")
         return self._blocks(size, overlap)
 
     def close(self) -> None:
@@ -348,7 +346,7 @@ def channels_of(path: str | os.PathLike[str]) -> tuple[Channel, ...]:
 def _part(length: int, rate: float, start: float, duration: float | None) -> tuple[int, int]:
     """First sample and number of samples of a part of a channel."""
     example = "start=0.0, duration=10.0"
-    begin = checked_number(start, "start", least=0.0, example=example)
+    begin = number(start, "start", least=0.0, example=example)
     if begin * rate >= length:
         rule = said("must be before the end of the file, {length:.6g} s", length=length / rate)
         raise InputError(rule, field="start", value=start, example=example)
@@ -356,7 +354,7 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
     rest = length - first
     if duration is None:
         return first, rest
-    wanted = checked_number(duration, "duration", above=0.0, example=example)
+    wanted = number(duration, "duration", above=0.0, example=example)
     count = round(min(wanted * rate, rest + 2.0))
     if not 1 <= count <= rest + 1:
         raise InputError(

@@ -15,7 +15,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import check_count, check_within
+from rolamento.validate import check_count, number, one_of
 from rolamento.vibration.frequencies import FaultFrequencies, FaultKind, frequencies_of
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.synthesis.faults import (
@@ -71,21 +71,15 @@ class Noise:
 
     def __post_init__(self) -> None:
         for name, allowed in (("colour", ("white", "pink")), ("of", ("signal", "faults"))):
-            if getattr(self, name) not in allowed:
-                raise InputError(
-                    said("must be one of {known}", known=", ".join(allowed)),
-                    field=name,
-                    value=getattr(self, name),
-                    example=allowed[0],
-                )
+            one_of(getattr(self, name), name, allowed)
         if (self.ratio is None) == (self.level is None):
             raise InputError(
                 said("takes either ratio or level"), field="noise", example="ratio = 0.0"
             )
         if self.ratio is not None:
-            check_within("ratio", self.ratio, -200.0, 200.0, "ratio = 0.0", "dB")
+            number(self.ratio, "ratio", least=-200.0, most=200.0, unit="dB", example="ratio = 0.0")
         if self.level is not None:
-            check_within("level", self.level, 0.0, 1e9, "level = 1.0", "m/s²")
+            number(self.level, "level", least=0.0, most=1e9, unit="m/s²", example="level = 1.0")
 
     def level_beside(self, power: float) -> float:
         """Root mean square of the noise beside a signal of some mean square; m/s²."""
@@ -167,9 +161,16 @@ class Recipe:
     title: str = "synthetic"
 
     def __post_init__(self) -> None:
-        check_within("rate", self.rate, 1.0, 1e8, "rate = 51200.0", "Hz")
-        check_within("duration", self.duration, 2.0 / self.rate, 1e6, "duration = 10.0", "s")
-        check_within("load_turns", self.load_turns, -1e3, 1e3, "load_turns = 0.0")
+        number(self.rate, "rate", least=1.0, most=1e8, unit="Hz", example="rate = 51200.0")
+        number(
+            self.duration,
+            "duration",
+            least=2.0 / self.rate,
+            most=1e6,
+            unit="s",
+            example="duration = 10.0",
+        )
+        number(self.load_turns, "load_turns", least=-1e3, most=1e3, example="load_turns = 0.0")
         if self.count > _MOST_SAMPLES:
             raise InputError(
                 said("gives more than {most} samples at this rate", most=_MOST_SAMPLES),
@@ -182,7 +183,14 @@ class Recipe:
         for name in ("faults", "shaft_harmonics", "waviness"):
             check_count(name, len(getattr(self, name)), _MOST_PARTS)
         for amplitude in self.shaft_harmonics:
-            check_within("shaft_harmonics", amplitude, 0.0, 1e9, "shaft_harmonics = (0.5,)", "m/s²")
+            number(
+                amplitude,
+                "shaft_harmonics",
+                least=0.0,
+                most=1e9,
+                unit="m/s²",
+                example="shaft_harmonics = (0.5,)",
+            )
         check_modes(self.modes, self.rate)
         if not isfinite(self.frequencies.cage.order):
             raise InputError(said("have no result to make a signal from"), field="frequencies")
@@ -446,9 +454,9 @@ def _shaft_and_waviness(
     total = waviness_acceleration(lines, phases, turning.angle, speeds, recipe.rate)
     starts = sources.phases.uniform(0.0, _TURN, len(recipe.shaft_harmonics))
     most = float(np.max(np.abs(speeds)))
-    for number, amplitude in enumerate(recipe.shaft_harmonics, start=1):
-        if amplitude > 0.0 and number * most < 0.5 * recipe.rate * _TURN:
-            total += amplitude * np.cos(number * turning.angle + starts[number - 1])
+    for order, amplitude in enumerate(recipe.shaft_harmonics, start=1):
+        if amplitude > 0.0 and order * most < 0.5 * recipe.rate * _TURN:
+            total += amplitude * np.cos(order * turning.angle + starts[order - 1])
     return total
 
 

@@ -23,7 +23,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import check_within
+from rolamento.validate import number, one_of
 from rolamento.vibration.frequencies import (
     FAULTS,
     FaultFrequencies,
@@ -78,7 +78,7 @@ class LoadDistribution:
         for name, loads in (("inner", inner), ("outer", outer)):
             if not np.all((loads >= 0.0) & (loads <= 1.0)):
                 raise InputError(said("must be fractions from 0 to 1"), field=name)
-        check_within("exponent", self.exponent, 1.0, 2.0, "exponent = 1.5")
+        number(self.exponent, "exponent", least=1.0, most=2.0, example="exponent = 1.5")
         for name, array in zip(("azimuth", "inner", "outer"), arrays, strict=True):
             object.__setattr__(self, name, array)
 
@@ -121,7 +121,7 @@ class LoadDistribution:
 
         Sjövall (1933); Harris (1991).
         """
-        check_within("extent", extent, 1e-3, 1e6, "extent = 0.5")
+        number(extent, "extent", least=1e-3, most=1e6, example="extent = 0.5")
         psi = np.arange(_POINTS, dtype=np.float64) * (_TURN / _POINTS)
         approach = np.maximum(1.0 - (1.0 - np.cos(psi - azimuth)) / (2.0 * extent), 0.0)
         exponent = EXPONENTS[element]
@@ -149,7 +149,7 @@ class LoadDistribution:
         from rolamento.solved import refuse_other
 
         refuse_other(solved, "vibration.LoadDistribution.of_solved")
-        check_within("positions", positions, 1, _MOST_POSITIONS, "positions = 8")
+        number(positions, "positions", least=1, most=_MOST_POSITIONS, example="positions = 8")
         own = solved.elements.row == row
         if len(solved) != 1 or not solved.converged[0] or not own.any():
             raise InputError(
@@ -238,19 +238,13 @@ class Fault:
             ("modulation", ("amplitude", "frequency")),
         ):
             value = getattr(self, field)
-            if value not in allowed:
-                raise InputError(
-                    said("must be one of {known}", known=", ".join(allowed)),
-                    field=field,
-                    value=value,
-                    example=allowed[0],
-                )
-        check_within("strength", self.strength, 0.0, 1e9, "strength = 1.0")
-        check_within("azimuth", self.azimuth, -1e3, 1e3, "azimuth = 0.0", "rad")
-        check_within("jitter", self.jitter, 0.0, 0.2, "jitter = 0.01")
-        check_within("scatter", self.scatter, 0.0, 1.0, "scatter = 0.1")
-        check_within("index", self.index, 0.0, 1e4, "index = 1.0", "rad")
-        check_within("inner_gain", self.inner_gain, 0.0, 1e3, "inner_gain = 0.5")
+            one_of(value, field, allowed)
+        number(self.strength, "strength", least=0.0, most=1e9, example="strength = 1.0")
+        number(self.azimuth, "azimuth", least=-1e3, most=1e3, unit="rad", example="azimuth = 0.0")
+        number(self.jitter, "jitter", least=0.0, most=0.2, example="jitter = 0.01")
+        number(self.scatter, "scatter", least=0.0, most=1.0, example="scatter = 0.1")
+        number(self.index, "index", least=0.0, most=1e4, unit="rad", example="index = 1.0")
+        number(self.inner_gain, "inner_gain", least=0.0, most=1e3, example="inner_gain = 0.5")
 
 
 class Impacts(NamedTuple):

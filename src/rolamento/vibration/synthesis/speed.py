@@ -13,7 +13,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import check_count, check_within
+from rolamento.validate import check_count, number
 from rolamento.vibration.signal import real_numbers
 from rolamento.words import said
 
@@ -123,8 +123,10 @@ def angle_of(speeds: FloatArray, count: int, rate: float) -> FloatArray:
 
 
 def _swinging(profile: SwingingSpeed, time: FloatArray) -> FloatArray:
-    check_within("depth", profile.depth, 0.0, 0.9, "depth = 0.05")
-    check_within("frequency", profile.frequency, 0.0, 1e6, "frequency = 0.5", "Hz")
+    number(profile.depth, "depth", least=0.0, most=0.9, example="depth = 0.05")
+    number(
+        profile.frequency, "frequency", least=0.0, most=1e6, unit="Hz", example="frequency = 0.5"
+    )
     swing = np.sin(_TURN * profile.frequency * time + profile.phase)
     return np.asarray(profile.mean * (1.0 + profile.depth * swing))
 
@@ -133,8 +135,8 @@ def _wandering(
     profile: WanderingSpeed, count: int, rate: float, random: np.random.Generator
 ) -> FloatArray:
     """Walk on a coarse grid, ten steps in the memory, and go straight between."""
-    check_within("deviation", profile.deviation, 0.0, 0.2, "deviation = 0.01")
-    check_within("memory", profile.memory, 1e-3, 1e6, "memory = 0.5", "s")
+    number(profile.deviation, "deviation", least=0.0, most=0.2, example="deviation = 0.01")
+    number(profile.memory, "memory", least=1e-3, most=1e6, unit="s", example="memory = 0.5")
     step = profile.memory / 10.0
     points = int(count / rate / step) + 2
     if points > _MOST_POINTS:

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray, IntArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import check_count, check_within
+from rolamento.validate import check_count, number
 from rolamento.vibration.signal import real_numbers
 from rolamento.words import said
 
@@ -52,9 +52,16 @@ class Mode:
     gain: float = 1.0
 
     def __post_init__(self) -> None:
-        check_within("frequency", self.frequency, 1e-3, 1e8, "frequency = 3500.0", "Hz")
-        check_within("damping", self.damping, 1e-5, 0.9, "damping = 0.03")
-        check_within("gain", self.gain, -1e9, 1e9, "gain = 10.0", "m/s²")
+        number(
+            self.frequency,
+            "frequency",
+            least=1e-3,
+            most=1e8,
+            unit="Hz",
+            example="frequency = 3500.0",
+        )
+        number(self.damping, "damping", least=1e-5, most=0.9, example="damping = 0.03")
+        number(self.gain, "gain", least=-1e9, most=1e9, unit="m/s²", example="gain = 10.0")
 
 
 DEFAULT_MODES: Final = (Mode(3500.0, 0.03, 10.0),)
@@ -81,11 +88,17 @@ class TransferPath:
     gains: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        check_within("sensor_azimuth", self.sensor_azimuth, -1e3, 1e3, "sensor_azimuth = 0.0")
-        check_within("far_gain", self.far_gain, 0.0, 1.0, "far_gain = 0.3")
+        number(
+            self.sensor_azimuth,
+            "sensor_azimuth",
+            least=-1e3,
+            most=1e3,
+            example="sensor_azimuth = 0.0",
+        )
+        number(self.far_gain, "far_gain", least=0.0, most=1.0, example="far_gain = 0.3")
         check_count("gains", len(self.gains), _MOST_GAINS)
         for gain in self.gains:
-            check_within("gains", gain, 0.0, 1e6, "gains = (1.0, 0.5, 0.3, 0.5)")
+            number(gain, "gains", least=0.0, most=1e6, example="gains = (1.0, 0.5, 0.3, 0.5)")
 
     def at(self, azimuth: ArrayLike) -> FloatArray:
         """Gain of impacts at azimuths (rad); the shape of the azimuths."""

@@ -28,7 +28,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.vibration._checks import check_count, check_within
+from rolamento.validate import check_count, number, one_of
 from rolamento.vibration.frequencies import FaultFrequencies
 from rolamento.words import said
 
@@ -65,17 +65,11 @@ class Waviness:
             ("surface", ("outer", "inner", "ball")),
             ("direction", ("radial", "axial")),
         ):
-            if getattr(self, field) not in allowed:
-                raise InputError(
-                    said("must be one of {known}", known=", ".join(allowed)),
-                    field=field,
-                    value=getattr(self, field),
-                    example=allowed[0],
-                )
+            one_of(getattr(self, field), field, allowed)
         check_count("amplitudes", len(self.amplitudes), _MOST_WAVES)
         for waves, amplitude in self.amplitudes:
-            check_within("waves a turn", waves, 1, _MOST_WAVES, "(10, 1e-8)")
-            check_within("amplitude", amplitude, 0.0, 1e-3, "(10, 1e-8)", "m")
+            number(waves, "waves a turn", least=1, most=_MOST_WAVES, example="(10, 1e-8)")
+            number(amplitude, "amplitude", least=0.0, most=1e-3, unit="m", example="(10, 1e-8)")
 
     @classmethod
     def falling(
@@ -101,9 +95,9 @@ class Waviness:
         slope
             With 1, the waves are equally steep.
         """
-        check_within("first", first, 1, _MOST_WAVES, "first = 2")
-        check_within("last", last, first, _MOST_WAVES, "last = 100")
-        check_within("slope", slope, -10.0, 10.0, "slope = 1.0")
+        number(first, "first", least=1, most=_MOST_WAVES, example="first = 2")
+        number(last, "last", least=first, most=_MOST_WAVES, example="last = 100")
+        number(slope, "slope", least=-10.0, most=10.0, example="slope = 1.0")
         waves = range(first, last + 1)
         return cls(surface, tuple((n, amplitude * (first / n) ** slope) for n in waves), direction)
 

@@ -73,5 +73,4 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "No balance was found. Check the clearances and which bearings are located, or begin with"
         " less load."
     ),
-    "part_missing": marked("Film, friction and life are left out: {reason}"),
 }

@@ -11,7 +11,6 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from rolamento._reach import in_reach
 from rolamento.errors import InputError
 from rolamento.friction.slip import (
     BallVelocity,
@@ -48,6 +47,7 @@ from rolamento.oil import (
     viscosity_index,
     wooster,
 )
+from rolamento.validate import within
 
 numbers = st.one_of(
     st.floats(),
@@ -119,14 +119,14 @@ def test_every_number_is_taken_or_refused_by_name(name: str, data: st.DataObject
 @given(numbers, st.booleans())
 @example(1.0, True)
 @example(2.0, False)
-def test_what_is_in_reach(value: float, open_start: bool) -> None:
+def test_what_is_within(value: float, open_start: bool) -> None:
     inside = np.isnan(value) or ((value > 1.0 if open_start else value >= 1.0) and value <= 2.0)
     if inside:
-        found = in_reach(value, "length", "m", 1.0, 2.0, least_too=not open_start)
+        found = within(value, "length", "m", 1.0, 2.0, least_too=not open_start)
         assert found == value or np.isnan(value)
         return
     with pytest.raises(InputError, match=re.escape("length")) as error:
-        in_reach([1.5, value], "length", "m", 1.0, 2.0, least_too=not open_start)
-    least = "greater than 1 and at most" if open_start else "from 1 to"
+        within([1.5, value], "length", "m", 1.0, 2.0, least_too=not open_start)
+    least = "a number greater than 1 and at most" if open_start else "from 1 to"
     assert f"must be {least} 2 m" in str(error.value)
     assert error.value.value == value
