@@ -52,6 +52,7 @@ PICTURE: Final = marked("Draw the result: a .png, .svg or .pdf file.")
 _OPTIONS: Final = marked("Options")
 _LONGEST: Final = 300
 _MOST: Final = 50
+_GREATEST: Final = 1e300
 
 
 @frozen
@@ -232,16 +233,20 @@ class Input:
 
     def _by_key(self, given: Mapping[str, Any] | Sequence[str]) -> dict[str, Any]:
         known = {} if self.choices is None else self.choices()
+        pairs: dict[str, Any] = {}
         if isinstance(given, Mapping):
-            pairs: Mapping[str, Any] = given
+            pairs |= given
         else:
-            parted = (one.partition("=") for one in given)
-            pairs = {key: value if equals else None for key, equals, value in parted}
+            texts = given if isinstance(given, list | tuple) else (given,)
+            parted = (str(one).partition("=") for one in texts)
+            pairs |= {key: value if equals else None for key, equals, value in parted}
         for key, value in pairs.items():
             if key not in known or value is None:
                 rule = said("must be KEY=VALUE; KEY is one of {known}", known=", ".join(known))
                 raise InputError(rule, value=key)
-        return dict(pairs)
+            if not isinstance(value, str):
+                self._checked(value)
+        return pairs
 
     def _checked(self, given: Any) -> Any:
         """Return a value that is no text, if it is of the kind."""
@@ -250,7 +255,7 @@ class Input:
                 raise InputError(said("must be true or false"), value=given)
         elif isinstance(given, bool) or not isinstance(given, int | float):
             raise InputError(said("must be a number or text"), value=given)
-        elif not isfinite(given) or (self.kind == "count" and given != int(given)):
+        elif not abs(given) <= _GREATEST or (self.kind == "count" and given != int(given)):
             rule = said("must be an integer") if self.kind == "count" else said("must be a number")
             raise InputError(rule, value=given)
         return self._chosen(str(given)) if self.kind == "choice" else given

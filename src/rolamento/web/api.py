@@ -181,7 +181,7 @@ def _run(
     """
 
     def run(asked: CaseRequest) -> str:
-        given = {name: getattr(asked, name) for name in names}
+        given = {name: one for name in names if (one := getattr(asked, name)) is not None}
         done = request(case=asked.to_case(needs_load=needs_load), **given)
         return done.json_text(done.run())
 
