@@ -27,7 +27,7 @@ from rolamento.io.numerals import Numerals
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
 from rolamento.tasks.parameters import Progress, quietly
-from rolamento.units import Dimension, refuse_thousands, to_si, typed
+from rolamento.units import Dimension, refuse_thousands, to_si
 from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
@@ -278,11 +278,11 @@ class Input:
         if self.kind in ("frequency", "time"):
             from rolamento.tasks.quantities import number_given
 
-            return number_given(typed(text), "", self.kind, "")
+            return number_given(_with_point(text), "", self.kind, "")
         if self.kind == "fraction":
             from rolamento.tasks.quantities import part_of_one
 
-            return part_of_one(typed(text), "", "")
+            return part_of_one(_with_point(text), "", "")
         if self.kind == "cost":
             return cost_of(text)
         if self.kind in ("number", "count"):
@@ -488,7 +488,7 @@ class Request(Record):
 
 
 def number_in(text: str, *, whole: bool = False) -> float | int:
-    """Return the number of a text, with a decimal comma where the language has one.
+    """Return the number of a text, its decimal mark a point or a comma.
 
     Raises
     ------
@@ -496,7 +496,7 @@ def number_in(text: str, *, whole: bool = False) -> float | int:
         If it is none.
     """
     try:
-        value = float(typed(text))
+        value = float(_with_point(text))
     except ValueError:
         value = float("nan")
     if not isfinite(value) or (whole and (value != int(value) or abs(value) > 1e9)):
@@ -519,3 +519,8 @@ def cost_of(text: str) -> float:
     if cost is None:
         raise InputError(said("must be a number"), value=text)
     return cost
+
+
+def _with_point(text: str) -> str:
+    """Return a number with a decimal comma as one with a point, whatever language is spoken."""
+    return text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
