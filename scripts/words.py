@@ -80,8 +80,9 @@ def of_requests() -> Iterator[tuple[str, str | None]]:
     for name in tasks.__all__:
         request = getattr(tasks, name)
         if isinstance(request, type) and issubclass(request, Request):
-            yield from ((one.label, None) for one in request.inputs().values())
-            yield from ((meaning, None) for meaning in request.meanings().values())
+            meanings = request.meanings()
+            for field, one in request.inputs().items():
+                yield from ((text, None) for text in (one.label, meanings[field]) if text)
 
 
 _TABLES = (

@@ -8,13 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
 from typer.testing import CliRunner, Result
 
 from rolamento import load_case
 from rolamento.clearance import clearance_of_case, sample_clearance
-from rolamento.cli.clearance import clearance
-from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.requested import program_of
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.pages.clearance import clearance_page
@@ -24,8 +22,7 @@ from rolamento.words import speaking
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "clearance.md").read_text("utf-8")
 CASE = re.findall(r"```toml\n(.*?)```", GUIDE, re.DOTALL)[0]
 
-app = typer.Typer()
-app.command(cls=JsonCommand)(clearance)
+app = program_of("running:ClearanceRequest", "clearance")
 
 
 @pytest.fixture
@@ -98,7 +95,7 @@ def test_a_case_without_a_mounting_and_one_that_would_be_overwritten(
     result = run(str(examples / "218_combined.toml"))
     assert (result.exit_code, "mounting: is missing" in result.stderr) == (2, True)
     result = run(mounted, "--json", mounted)
-    assert (result.exit_code, "is the case file itself" in result.stderr) == (2, True)
+    assert (result.exit_code, "is one of the input files" in result.stderr) == (2, True)
 
 
 @pytest.mark.parametrize("code", ["en", "pt"])

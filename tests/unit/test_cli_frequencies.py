@@ -8,13 +8,11 @@ import re
 from pathlib import Path
 
 import pytest
-import typer
 from typer.testing import CliRunner, Result
 
 from rolamento import Bearing, load_case
 from rolamento.cli.app import app as program
-from rolamento.cli.frequencies import frequencies
-from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.requested import program_of
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.pages.frequencies import frequencies_page
@@ -28,8 +26,7 @@ from rolamento.vibration.frequencies import (
 )
 from rolamento.words import languages, speaking
 
-app = typer.Typer()
-app.command(cls=JsonCommand)(frequencies)
+app = program_of("running:FrequenciesRequest", "frequencies")
 
 CASE = """
 title = "6205 of a fan"
@@ -217,7 +214,7 @@ def test_wrong_input(arguments: tuple[str, ...], message: str) -> None:
 def test_output_over_the_case_is_refused(fan: str) -> None:
     result = run(fan, "--csv", fan)
     assert result.exit_code == 2
-    assert "is the case file itself" in result.output
+    assert "is one of the input files" in result.output
 
 
 # --- words -----------------------------------------------------------------------------------

@@ -16,8 +16,7 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import InputError, analyse, load_case
-from rolamento.cli.friction import friction
-from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.requested import program_of
 from rolamento.plots.friction import friction_figure
 from rolamento.studies.friction_curves import friction_curve, read_range
 from rolamento.words import speaking
@@ -27,8 +26,7 @@ CASES = ("ricci_fleury.toml", "6305_film.toml", "218_combined.toml")
 LOADS = "duty.load.fx=10..200N"
 SPEEDS = "duty.inner_speed=0.5..30000rpm"
 
-app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-app.command(cls=JsonCommand)(friction)
+app = program_of("inside:FrictionRequest", "friction")
 
 
 @pytest.fixture
@@ -323,9 +321,12 @@ def test_the_figure_shows_the_ratios_over_speed_only(examples: Path) -> None:
         (("ricci_fleury.toml", "--variant", "bearing.outer_conformity=0.57"), "needs --over"),
         (("ricci_fleury.toml", "--over", LOADS, "--plot", "f.gif"), "must end in .png"),
         (("ricci_fleury.toml", "--over", LOADS, "--json", "--csv", "-"), "only one of"),
-        (("ricci_fleury.toml", "--over", LOADS, "--csv", "ricci_fleury.toml"), "is the case file"),
+        (
+            ("ricci_fleury.toml", "--over", LOADS, "--csv", "ricci_fleury.toml"),
+            "is one of the input files",
+        ),
         (("ricci_fleury.toml", "--coefficient", "2"), "must be from 0 to 1"),
-        (("ricci_fleury.toml", "--hysteresis", "nan"), "must be from 0 to 1"),
+        (("ricci_fleury.toml", "--hysteresis", "nan"), "must be a number"),
         (("ricci_fleury.toml", "--over", LOADS, "--variant", "bearing.q=1"), "bearing.q"),
         (("ricci_fleury.toml", "--over", LOADS, *["--variant", "title=a"] * 6), "at most 5"),
     ],

@@ -80,11 +80,10 @@ def test_the_help_of_every_command_is_said(names: tuple[str, ...], command: Any)
         (("synthesise", "6205"), "Erro: Falta a opção: --output."),
         (("solve", "a", "b"), "Erro: Argumentos a mais: b"),
         (("solve", "a", "--jsn"), "Erro: Opção desconhecida: --jsn. Você quis dizer --json"),
-        (("turn", "a", "--points", "x"), "inválido para --points: deve ser um número inteiro."),
+        (("shaft", "a", "--points", "x"), "inválido para --points: deve ser um número inteiro."),
         (("turn", "a", "--points"), "Erro: A opção --points precisa de um valor."),
         (("diagnose", "a", "--nominal=1"), "Erro: A opção --nominal não aceita valor."),
-        (("clearance", "a", "--seed", "-1"), "deve ser um inteiro no mínimo 0."),
-        (("friction", "a", "--hysteresis", "x"), "--hysteresis: deve ser um número."),
+        (("rotor", "a", "--damping", "x"), "--damping: deve ser um número."),
         (("plot", "a", "--kind", "x"), "Valor inválido para --kind: deve ser um de: rosette"),
     ],
 )  # fmt: skip

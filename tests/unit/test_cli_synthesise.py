@@ -398,7 +398,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     ((*KNOWN, "--fault", "ball", "-o", "-"), "must end in one of .wav, .csv, .npz"),
     ((*KNOWN, "--fault", "ball", "-o", "none/a.npz"), "none/a.npz: cannot be written"),
     ((*FAULT, "--truth", "a.npz"), "only one of --output and --truth"),
-    (("fan.toml", "--fault", "ball", "-o", "a.npz", "--truth", "fan.toml"), "the case file itself"),
+    (("fan.toml", "--fault", "ball", "-o", "a.npz", "--truth", "fan.toml"), "input files"),
     (("6205", "--fault", "ball", "-o", "a.npz"), "--speed: is missing: nothing rotates"),
     ((*FAULT, "--outer-speed", "1797 rpm"), "is that of both rings"),
     ((*FAULT, "--speed", "1797"), "--speed: "),

@@ -12,12 +12,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-import typer
 from typer.testing import CliRunner
 
 from rolamento import load_case
-from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.turn import turn
+from rolamento.cli.requested import program_of
 from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
 from rolamento.pages.turn import turn_page
@@ -26,8 +24,7 @@ from rolamento.studies.cage_turn import DEFAULT_POINTS, cage_turn
 Run = Callable[..., tuple[int, str, str]]
 UNSOLVABLE = ("--set", "duty.load.fx=-20 kN")
 
-app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-app.command(cls=JsonCommand)(turn)
+app = program_of("inside:TurnRequest", "turn")
 
 
 @pytest.fixture
@@ -177,7 +174,7 @@ def test_json_without_a_result_is_written_all_the_same(run: Run) -> None:
         (("nothing.toml",), "cannot be opened"),
         (("218_combined.toml", "--plot", "turn.gif"), "must end in .png, .svg or .pdf"),
         (("218_combined.toml", "--json", "--csv", "-"), "only one of"),
-        (("218_combined.toml", "--csv", "218_combined.toml"), "is the case file itself"),
+        (("218_combined.toml", "--csv", "218_combined.toml"), "is one of the input files"),
         (("218_combined.toml", "--set", "duty.load.fq=1 N"), "duty.load.fq"),
     ],
 )

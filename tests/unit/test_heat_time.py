@@ -342,7 +342,7 @@ def test_the_command_with_a_plan() -> None:
         (["--time", "3 mm"], "--time"),
         (["--time", "steps"], "steps in"),
         (["--time", "1 h", "--compare"], "cannot be combined"),
-        (["--oil-for", "60 degC"], "is for --compare"),
+        (["--oil-for", "60 degC"], "needs --compare"),
         (["--warm-up", "3 mm"], "preload or a temperature"),
         (["--warm-up", "500 N"], "has none"),
     ],

@@ -9,12 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-import typer
 from typer.testing import CliRunner
 
 from rolamento import Case, InputError, parse_case
-from rolamento.cli.clearance import clearance
-from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.requested import program_of
 from rolamento.document.terminal import terminal
 from rolamento.pages.clearance import clearance_page
 from rolamento.pages.state import state_page
@@ -490,8 +488,7 @@ def test_the_pages_show_the_stages() -> None:
 
 
 def test_the_command_answers_for_a_set(tmp_path: Path) -> None:
-    app = typer.Typer()
-    app.command(cls=JsonCommand)(clearance)
+    app = program_of("running:ClearanceRequest", "clearance")
     path = tmp_path / "pair.toml"
     path.write_text(PAIR, encoding="utf-8")
     result = CliRunner().invoke(app, [str(path), "--json", "-"])

@@ -89,17 +89,30 @@ Each with the first line of its own help, so that the list imports none of them.
 _LINES: Final = {name: line for lines in COMMANDS.values() for name, line in lines.items()}
 
 _MODULES: Final = {
-    "app": "browser", "demo": "solve", "examples": "new", "import": "exchange",
-    "export": "exchange", "oil": "grease",
+    "app": "browser", "examples": "new", "import": "exchange", "export": "exchange",
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
 _REQUESTS: Final = {
     "anderon": "noise:NoiseLevel",
+    "clearance": "running:ClearanceRequest",
     "diagnose": "vibration_diagnosis:VibrationDiagnosis",
+    "electrical": "inside:ElectricalRequest",
+    "frequencies": "running:FrequenciesRequest",
+    "friction": "inside:FrictionRequest",
+    "grease": "lasting:GreaseRequest",
+    "heat": "inside:HeatRequest",
+    "life": "lasting:LifeRequest",
+    "oil": "lasting:OilRequest",
+    "oscillation": "lasting:OscillationRequest",
     "seek": "seek:GoalSeek",
+    "service-life": "lasting:ServiceLifeRequest",
     "severity": "severity:VibrationSeverity",
+    "solve": "inside:SolveRequest",
+    "speed": "running:SpeedRequest",
+    "static": "inside:StaticRequest",
     "trend": "weibull:TrendEvaluation",
+    "turn": "inside:TurnRequest",
     "weibull": "weibull:LifeTestEvaluation",
 }
 """Commands that are made of a request."""

@@ -18,7 +18,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     import rolamento
 
-__all__ = ["CASE_OPTIONS", "NOTHING_GIVEN", "SPEED_OPTIONS", "CaseOptions", "with_case"]
+__all__ = ["CASE_OPTIONS", "NOTHING_GIVEN", "SHORT_FORMS", "CaseOptions", "with_case"]
 
 _FIELDS: Final = {
     "fr": ("--fr", "duty.load.fz", "5 kN"),
@@ -30,6 +30,8 @@ _FIELDS: Final = {
     "lubricant": ("--lubricant", "lubricant", "ISO VG 68"),
 }
 """Option, the field of the case that it gives, and a value, by the parameter."""
+SHORT_FORMS: Final = {field: option for option, field, _ in _FIELDS.values()}
+"""Options by the fields of a case that they give."""
 
 
 @frozen
@@ -166,11 +168,8 @@ def _refuse_thousands(text: str, option: str) -> None:
 
 NOTHING_GIVEN: Final = CaseOptions()
 """The case as its file has it."""
-SPEED_OPTIONS: Final = ("speed", "outer_speed")
-CASE_OPTIONS: Final = tuple(
-    one.name for one in fields(CaseOptions) if one.name not in SPEED_OPTIONS
-)
-"""The names of their parameters, for the groups of a help; some have more to say of speeds."""
+CASE_OPTIONS: Final = tuple(one.name for one in fields(CaseOptions))
+"""The names of their parameters, for the groups of a help."""
 
 with_case = with_record("given", CaseOptions)
 """Give a command the options of `CaseOptions`, which it takes as one argument, ``given``."""

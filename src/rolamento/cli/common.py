@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import StrEnum
 from typing import TYPE_CHECKING, Final
@@ -81,14 +81,6 @@ def complain_of(solved: Solved, lang: Language | None, case: int = 0) -> None:
     advice = solved.advice[case]
     parts = (reason(str(solved.status.code[case])), "" if advice is None else advice.text)
     complain(": ".join(part for part in parts if part))
-
-
-def complain_of_points(codes: Sequence[str], total: int, lang: Language | None) -> None:
-    """Say on standard error how many of some cases have no result, and why the first has none."""
-    from rolamento.words.reasons import reason
-
-    why = reason(str(codes[0]))
-    complain(said("{count} / {total}: {reason}", count=len(codes), total=total, reason=why))
 
 
 def same_file(path: str, other: str) -> bool:

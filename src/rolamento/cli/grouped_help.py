@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Final, TypeVar, get_args
 import typer.core
 from typer.core import TyperCommand, TyperGroup
 
-from rolamento.cli.case_options import CASE_OPTIONS, SPEED_OPTIONS
+from rolamento.cli.case_options import CASE_OPTIONS
 from rolamento.cli.complaints import UsageError, complaining
 from rolamento.cli.waiting import working
 from rolamento.errors import nearest
@@ -55,7 +55,7 @@ class SpokenCommand(TyperCommand):
         if self.groups or len(self.params) <= _LONG:
             return self.groups
         written = tuple(name for name in names if name in _WRITTEN)
-        of_case = tuple(name for name in names if name in (*SPEED_OPTIONS, *CASE_OPTIONS))
+        of_case = tuple(name for name in names if name in CASE_OPTIONS)
         others = tuple(name for name in names if name not in (*written, *of_case))
         groups = {
             marked("Bearing and duty"): of_case,

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import inspect
+import json
 import shlex
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 
 from typer.models import OptionInfo
 
-from rolamento.errors import InputError
+from rolamento.cli.case_options import SHORT_FORMS
+from rolamento.errors import InputError, respelled
 
 
 @contextmanager
@@ -35,13 +38,16 @@ def in_names(options: Mapping[str, str]) -> Iterator[None]:
     except InputError as error:
         if error.source.startswith("--"):
             raise
-        from rolamento.tasks.parameters import renamed
-
         names = {"changes": "--set", **options}
-        told = renamed(error, names, written, between=" ")
-        if not told.source and error.field in names:
-            told = told.with_details(field="", source=told.field)
-        raise told from None
+        spelled = partial(respelled, names=names, written=written, between=" ")
+        source, field = names.get(error.source, error.source), error.field
+        if not source and field in names:
+            source, field = names[field], ""
+        elif error.source not in names:
+            field = names.get(field, field)
+        raise error.with_details(
+            rule=spelled(error.rule), source=source, field=field, example=spelled(error.example)
+        ) from None
 
 
 def _option_names(command: Callable[..., None]) -> dict[str, str]:
@@ -60,4 +66,10 @@ def written(option: str, value: str) -> str:
     """Write an option with a value, as for a shell."""
     if value in ("True", "…"):
         return option
+    if value.startswith("{"):  # what goes over a case
+        return " ".join(
+            written(SHORT_FORMS[name], given) if name in SHORT_FORMS
+            else written("--set", f"{name}={given}")
+            for name, given in json.loads(value).items()
+        )  # fmt: skip
     return f"{option} {shlex.quote(value.strip('[]').strip(chr(34)))}"

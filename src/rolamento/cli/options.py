@@ -10,7 +10,6 @@ from rolamento.cli.common import Language
 
 __all__ = [
     "BearingArgument",
-    "CaseArgument",
     "CataloguesOption",
     "ForceOption",
     "JsonOption",
@@ -20,7 +19,6 @@ __all__ = [
     "MachineSettingsOption",
     "OuterSpeedOption",
     "PlotOption",
-    "SeedOption",
     "SettingsOption",
     "SpeedOption",
     "VariantsOption",
@@ -42,13 +40,6 @@ def plot_option(what: str) -> Any:
 
 # --- of most commands ------------------------------------------------------------------------
 
-CaseArgument = Annotated[
-    str,
-    typer.Argument(
-        metavar="CASE",
-        help="Case file (TOML or JSON), or a designation such as 6310/C3; - for standard input.",
-    ),
-]
 MachineArgument = Annotated[
     str,
     typer.Argument(
@@ -88,9 +79,6 @@ VariantsOption = Annotated[
 ForceOption = Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
 PlotOption = Annotated[str | None, plot_option("Draw the result")]
-SeedOption = Annotated[
-    int, typer.Option("--seed", metavar="N", min=0, help="Seed of the random numbers.")
-]
 LanguageOption = Annotated[
     Language | None,
     typer.Option(

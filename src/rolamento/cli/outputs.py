@@ -189,7 +189,7 @@ with_outputs = with_record("outputs", Outputs)
 def check_outputs(
     outputs: Mapping[str, str | None],
     *read: str | None,
-    rule: str = marked("is the case file itself; choose another name"),
+    rule: str = marked("is one of the input files; choose another name"),
 ) -> None:
     """Refuse outputs that would run into each other or over what is read, and unknown pictures.
 

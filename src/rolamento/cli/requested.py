@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, Final
@@ -13,7 +13,6 @@ import typer
 from rolamento.cli.case_options import (
     CASE_OPTIONS,
     NOTHING_GIVEN,
-    SPEED_OPTIONS,
     CaseOptions,
     with_case,
 )
@@ -23,7 +22,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption, json_option
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 from rolamento.io.writing import write_text
 from rolamento.words import marked, said
@@ -37,7 +36,6 @@ _METAVARS: Final = {
     "number": "NUMBER", "count": "N", "fraction": "FRACTION", "frequency": "FREQUENCY",
     "time": "TIME",
 }  # fmt: skip
-_NOT_ITSELF: Final = marked("is one of the input files; choose another name")
 
 
 def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
@@ -70,24 +68,23 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 if (one.names_files or one.kind == "bearing") and typed[field]
                 for path in (typed[field] if one.is_many else [typed[field]])
             ]
-            outputs.check({"--json": json, **files}, *read, rule=_NOT_ITSELF)
+            outputs.check({"--json": json, **files}, *read)
+            _check_words(request, read, json)
             asked = _asked(request, typed, given)
             for option, path in files.items():
                 check = request.products[option.removeprefix("--")].check
                 if path is not None and check is not None:
                     check(asked)
-            from rolamento.cli.waiting import progress_of
-
-            with progress_of(said(request.waiting)) as progress:
-                found = asked.run(progress)
+            found = _run(asked)
             _write(asked, found, files)
             if json is not None:
-                put_json(found.to_mapping(), json)
+                put(asked.json_text(found) + "\n", json)
             outputs.show(lambda: asked.page(found), json, *files.values())
             complaint = asked.complaint(found)
             if complaint and STANDARD_STREAM in (json, outputs.csv, *files.values()):
-                complain(complaint)
-        raise typer.Exit(NO_RESULT if complaint else SOLVED)
+                for line in complaint.splitlines():
+                    complain(line)
+        raise typer.Exit(SOLVED if asked.has_result(found) else NO_RESULT)
 
     command.__signature__ = _signature(command, request)  # type: ignore[attr-defined]
     command.__name__, command.__doc__ = name, request.summary()
@@ -98,8 +95,7 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     if request.takes_case:
         spoken = with_case(spoken)
         first = next(iter(groups))
-        of_case = [name for name in (*SPEED_OPTIONS, *CASE_OPTIONS) if name not in request.inputs()]
-        groups[first] = (*groups[first], *of_case)
+        groups[first] += tuple(name for name in CASE_OPTIONS if name not in request.inputs())
     shown = type("RequestedCommand", (JsonCommand,), {"groups": groups})
     app.command(name, cls=shown, epilog=request.examples)(spoken)
 
@@ -107,7 +103,7 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
 def program_of(path: str, name: str) -> typer.Typer:
     """Return a program with one command; path: of its request, ``module:Class`` in the tasks."""
     module, _, request = path.partition(":")
-    app = typer.Typer()
+    app = typer.Typer(add_completion=False)
     add_command(app, getattr(import_module(f"rolamento.tasks.{module}"), request), name)
     return app
 
@@ -181,6 +177,25 @@ def _in_options(request: type[Request]) -> Iterator[None]:
             raise
 
 
+def _check_words(request: type[Request], read: Sequence[str], json: str | None) -> None:
+    """Refuse two files from one stream, and one that is taken as that of ``--json``.
+
+    Raises
+    ------
+    InputError
+        For either.
+    """
+    if read.count(STANDARD_STREAM) > 1:
+        raise InputError(said("can be read only once"), source="standard input")
+    takes_cases = any(one.kind == "files" for one in request.inputs().values())
+    if request.takes_case and takes_cases and (json or "").lower().endswith(".toml"):
+        rule = said(
+            "is taken as the FILE of --json; put --json last, or follow it with a name that ends in"
+            " .json"
+        )
+        raise InputError(rule, source="--json", value=json)
+
+
 def _shipped(
     request: type[Request], command: str, typed: dict[str, Any], json: str | None
 ) -> str | None:
@@ -216,6 +231,16 @@ def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions)
     if request.takes_case:
         own["changes"] = given.settings
     return request(**own)
+
+
+def _run(asked: Request) -> Any:
+    from rolamento.cli.waiting import progress_of, waiting
+
+    if asked.counts:
+        with progress_of(said(asked.waiting)) as progress:
+            return asked.run(progress)
+    with waiting(None, said(asked.waiting)):
+        return asked.run()
 
 
 def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> None:

@@ -120,7 +120,7 @@ class SynthesiseCommand(JsonCommand):
     """`rolamento synthesise`, its help in groups."""
 
     groups: ClassVar[Groups] = {
-        "Bearing": CASE_OPTIONS,
+        "Bearing": tuple(one for one in CASE_OPTIONS if "speed" not in one),
         "Speed": ("speed", "outer_speed", "slip", "swing", "wander"),
         "Damage": ("faults", "jitter", "load", "load_turns"),
         "Transmission path": ("modes", "path"),

@@ -10,6 +10,7 @@ import importlib
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
+    from rolamento.tasks.case_request import CaseRequest, Finding
     from rolamento.tasks.demonstration import example_case, write_example
     from rolamento.tasks.diagnosis import (
         DiagnosisResult,
@@ -22,6 +23,21 @@ if TYPE_CHECKING:
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
     from rolamento.tasks.grease import GreaseCase, choose_oil_of_case, grease_of_case
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
+    from rolamento.tasks.inside import (
+        ElectricalRequest,
+        FrictionRequest,
+        HeatRequest,
+        SolveRequest,
+        StaticRequest,
+        TurnRequest,
+    )
+    from rolamento.tasks.lasting import (
+        GreaseRequest,
+        LifeRequest,
+        OilRequest,
+        OscillationRequest,
+        ServiceLifeRequest,
+    )
     from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
     from rolamento.tasks.life_over import LifeCurve, life_curve
     from rolamento.tasks.life_spectrum import (
@@ -53,6 +69,7 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
     from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.running import ClearanceRequest, FrequenciesRequest, SpeedRequest
     from rolamento.tasks.seek import Goal, GoalSeek
     from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
@@ -71,6 +88,23 @@ if TYPE_CHECKING:
     )
 
 _NAMES_OF_MODULES: Final = {
+    "case_request": ("CaseRequest", "Finding"),
+    "inside": (
+        "ElectricalRequest",
+        "FrictionRequest",
+        "HeatRequest",
+        "SolveRequest",
+        "StaticRequest",
+        "TurnRequest",
+    ),
+    "lasting": (
+        "GreaseRequest",
+        "LifeRequest",
+        "OilRequest",
+        "OscillationRequest",
+        "ServiceLifeRequest",
+    ),
+    "running": ("ClearanceRequest", "FrequenciesRequest", "SpeedRequest"),
     "demonstration": ("example_case", "write_example"),
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
     "vibration_diagnosis": ("VibrationDiagnosis",),
@@ -122,28 +156,39 @@ _MODULE_OF_NAME: Final = {
 __all__ = [
     "CaseLife",
     "CaseReport",
+    "CaseRequest",
+    "ClearanceRequest",
     "DemonstrationStudy",
     "DemonstrationTest",
     "DiagnosisResult",
     "Drawing",
     "DutyLife",
+    "ElectricalRequest",
+    "Finding",
     "FleetRequest",
     "FleetStudy",
+    "FrequenciesRequest",
     "FrequencyResult",
+    "FrictionRequest",
     "FullScale",
     "Goal",
     "GoalSeek",
     "GreaseCase",
+    "GreaseRequest",
+    "HeatRequest",
     "History",
     "Input",
     "Kind",
     "LifeCurve",
+    "LifeRequest",
     "LifeTestEvaluation",
     "Machine",
     "MachineDiagnosis",
     "NoiseLevel",
     "NoiseResult",
+    "OilRequest",
     "OscillationCase",
+    "OscillationRequest",
     "OscillationSpectrum",
     "PrecisionStudy",
     "PrecisionTest",
@@ -155,14 +200,19 @@ __all__ = [
     "Report",
     "Request",
     "ServiceLife",
+    "ServiceLifeRequest",
     "SeverityResult",
     "ShaftLife",
+    "SolveRequest",
     "SpectrumLife",
+    "SpeedRequest",
+    "StaticRequest",
     "Sweep",
     "SynthesisResult",
     "TooShort",
     "TrendEvaluation",
     "TrendStudy",
+    "TurnRequest",
     "UnknownResult",
     "VibrationDiagnosis",
     "VibrationSeverity",

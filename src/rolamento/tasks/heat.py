@@ -213,9 +213,7 @@ def limit_of_text(text: str) -> dict[str, float]:
             return {name: to_si(text, dimension)}  # type: ignore[arg-type]
         except InputError:
             continue
-    raise InputError(
-        said("must be a preload or a temperature"), value=text, example="--warm-up '1500 N'"
-    )
+    raise InputError(said("must be a preload or a temperature"), value=text, example="1500 N")
 
 
 def warm_up(

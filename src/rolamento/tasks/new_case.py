@@ -227,7 +227,8 @@ class _Template:
         if field.choices:
             parts.append(" | ".join(field.choices))
         table = f"{field.name.rpartition('.')[0]}."
-        replaced = (*field.rivals, *(one for one in field.replaces if one in self._awake))
+        rivals = (one for one in field.rivals if of_elements(one, self._elements))
+        replaced = (*rivals, *(one for one in field.replaces if one in self._awake))
         others = dict.fromkeys(one.removeprefix(table) for one in replaced)
         if others:
             parts.append(said("instead of {others}", others=", ".join(others)))

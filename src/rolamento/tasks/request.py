@@ -9,18 +9,20 @@ error names the field; each face writes that in its own spelling.
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import date
 from math import isfinite
-from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Self, TypeGuard
 
-from pydantic import GetCoreSchemaHandler
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 from rolamento.case.record import Record, meanings
-from rolamento.errors import InputError, arguments
+from rolamento.errors import InputError, Phrase, arguments
 from rolamento.io.columns import folded_name
+from rolamento.io.json import dumps
 from rolamento.io.numerals import Numerals
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
@@ -31,22 +33,26 @@ from rolamento.words import manner, marked, said
 if TYPE_CHECKING:
     from rolamento.document import Document
 
-__all__ = ["DECIMAL_MARK", "PICTURE", "Input", "Product", "Request", "Result", "number_in"]
+__all__ = ["DECIMAL_MARK", "PICTURE", "Input", "Product", "Request", "number_in"]
 
 Kind = Literal[
     "text", "number", "count", "fraction", "frequency", "time", "quantity", "cost", "date",
-    "switch", "choice", "choices", "list", "numbers", "bearing", "shipped", "file", "files", "path",
-    "paths",
+    "switch", "choice", "choices", "list", "numbers", "values", "bearing", "shipped", "file",
+    "files", "path", "paths",
 ]  # fmt: skip
 """Kind of a value: text with or without a unit, a number, one of several, several of them.
+
+Values are numbers or texts by a choice, or as ``KEY=VALUE``.
 
 A bearing is a designation, or a case; at the computer itself also the name of a case file. Files
 are the arguments of a command, and a path is an option with the name of a file: no page and no
 program elsewhere may name one. What is shipped may be read in the place of a file.
 """
 PICTURE: Final = marked("Draw the result: a .png, .svg or .pdf file.")
+_OPTIONS: Final = marked("Options")
 _LONGEST: Final = 300
 _MOST: Final = 50
+_GREATEST: Final = 1e300
 
 
 @frozen
@@ -78,7 +84,8 @@ class Input:
     Attributes
     ----------
     label
-        in English; what the field means stands in the docstring of its request
+        in English, where a page asks for it; what the field means stands in the docstring of its
+        request
     kind
         what is typed
     group
@@ -93,7 +100,7 @@ class Input:
     dimension
         of a quantity
     separator
-        between the values of a list
+        between the values of a list; "" where each is given by itself
     default
         as it is typed; empty where the task or the file decides
     essential
@@ -102,12 +109,14 @@ class Input:
         the meaning on a page, where that is another; marked
     at_computer
         whether no page asks for it
+    of_case
+        dotted name of the field of a case that it gives
     option, metavar
         of the command line: its long name, or both of a switch with its opposite, where that is
         not the name of the field; and what stands for its value
     """
 
-    label: str
+    label: str = ""
     kind: Kind = "text"
     group: str = ""
     example: str = ""
@@ -119,13 +128,14 @@ class Input:
     essential: bool = False
     on_page: str = ""
     at_computer: bool = False
+    of_case: str = ""
     option: str = ""
     metavar: str = ""
 
     @property
     def is_many(self) -> bool:
         """Whether it takes several values."""
-        return self.kind in ("list", "numbers", "choices", "files", "paths")
+        return self.kind in ("list", "numbers", "choices", "values", "files", "paths")
 
     @property
     def is_argument(self) -> bool:
@@ -182,33 +192,61 @@ class Input:
             return given
         if given is None or (isinstance(given, str) and not given.strip()):
             return () if self.is_many else None
-        if isinstance(given, Mapping | date):
+        if isinstance(given, date) and self.kind == "date":
             return given
+        if isinstance(given, date) or (isinstance(given, Mapping) and self.kind != "values"):
+            raise InputError(said("must be a number or text"), value=given)
+        if self.kind == "values":
+            return self._by_key(given)
         if self.is_many:
             return self._values((given,) if isinstance(given, str | int | float) else given)
         if not isinstance(given, str):
             return self._checked(given)
-        if len(given) > _LONGEST:
+        if self._is_too_long(given):
             raise InputError(said("must be at most {most} characters long", most=_LONGEST))
         return self._read(given.strip())
+
+    def _is_too_long(self, given: str) -> bool:
+        return len(given) > _LONGEST and not self.at_computer
 
     def _values(self, given: Sequence[Any]) -> tuple[Any, ...]:
         if len(given) > _MOST:
             raise InputError(said("may be given at most {most} times", most=_MOST))
-        if any(len(one) > _LONGEST for one in given if isinstance(one, str)):
+        if any(self._is_too_long(one) for one in given if isinstance(one, str)):
             raise InputError(said("must be at most {most} characters long", most=_LONGEST))
         if self.kind == "choices":
             return tuple(dict.fromkeys(self._chosen(one) for one in given))
+
+        def is_joined(one: object) -> TypeGuard[str]:
+            return isinstance(one, str) and self.separator != ""
+
         parts = [
             part.strip() if isinstance(part, str) else part
             for one in given
-            for part in (one.split(self.separator) if isinstance(one, str) else (one,))
+            for part in (one.split(self.separator) if is_joined(one) else (one,))
         ]
         given = [part for part in parts if part != ""]
         if self.kind == "numbers":
             read = (number_in(part) if isinstance(part, str) else part for part in given)
             return tuple(dict.fromkeys(read))
         return tuple(given)
+
+    def _by_key(self, given: Mapping[str, Any] | Sequence[str]) -> dict[str, Any]:
+        known = {} if self.choices is None else self.choices()
+        pairs: dict[str, Any] = {}
+        if isinstance(given, Mapping):
+            pairs |= given
+        else:
+            texts = given if isinstance(given, list | tuple) else (given,)
+            parted = (str(one).partition("=") for one in texts)
+            pairs |= {key: value if equals else None for key, equals, value in parted}
+        for key, value in pairs.items():
+            if key not in known or value is None:
+                rule = said("must be KEY=VALUE; KEY is one of {known}", known=", ".join(known))
+                raise InputError(rule, value=key)
+            if not isinstance(value, str):
+                self._checked(value)
+        return pairs
 
     def _checked(self, given: Any) -> Any:
         """Return a value that is no text, if it is of the kind."""
@@ -217,7 +255,7 @@ class Input:
                 raise InputError(said("must be true or false"), value=given)
         elif isinstance(given, bool) or not isinstance(given, int | float):
             raise InputError(said("must be a number or text"), value=given)
-        elif not isfinite(given) or (self.kind == "count" and given != int(given)):
+        elif not abs(given) <= _GREATEST or (self.kind == "count" and given != int(given)):
             rule = said("must be an integer") if self.kind == "count" else said("must be a number")
             raise InputError(rule, value=given)
         return self._chosen(str(given)) if self.kind == "choice" else given
@@ -233,7 +271,10 @@ class Input:
             return text == "true"
         if self.dimension is not None:
             refuse_thousands(text)
-            return to_si(text, self.dimension)
+            try:
+                return to_si(text, self.dimension)
+            except InputError as error:
+                raise error.with_details(value=text, example="") from None
         if self.kind in ("frequency", "time"):
             from rolamento.tasks.quantities import number_given
 
@@ -262,6 +303,22 @@ class Input:
         """Have pydantic read the field with this object."""
         return core_schema.no_info_plain_validator_function(self.value)
 
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Describe what it takes in JSON: a number in SI units, or text as it is typed."""
+        text: dict[str, Any] = {"type": "string", "maxLength": _LONGEST}
+        if self.choices is not None:
+            text = {"type": "string", "enum": list(self.choices())}
+        if self.kind == "values":
+            either = {"anyOf": [{"type": "string"}, {"type": "number"}]}
+            return {"type": "object", "propertyNames": text, "additionalProperties": either}
+        if self.is_many:
+            return {"type": "array", "items": text, "maxItems": _MOST}
+        number = {"switch": "boolean", "count": "integer"}.get(self.kind, "number")
+        is_text = self.kind in ("text", "choice", "date")
+        return text if is_text else {"anyOf": [{"type": number}, text]}
+
 
 def _marks() -> Mapping[str, str]:
     return {"point": marked("point: 12.5"), "comma": marked("comma: 12,5")}
@@ -270,14 +327,6 @@ def _marks() -> Mapping[str, str]:
 DECIMAL_MARK: Final = Input(
     "Decimal mark", "choice", choices=_marks, example="comma", metavar="MARK"
 )
-
-
-class Result(Protocol):
-    """What a use case finds."""
-
-    def to_mapping(self) -> dict[str, Any]:
-        """Return everything as plain data."""
-        ...
 
 
 class Request(Record):
@@ -297,6 +346,8 @@ class Request(Record):
     """Command lines, for its help."""
     waiting: ClassVar[str] = marked("Calculating")
     """What a progress bar says, marked."""
+    counts: ClassVar[bool] = True
+    """Whether it says how far it is."""
     headings: ClassVar[tuple[str, ...]] = ()
     """Order of the headings of the fields, marked; that of the fields by default."""
     columns: ClassVar[frozenset[str]] = frozenset()
@@ -329,7 +380,7 @@ class Request(Record):
     @classmethod
     def summary(cls) -> str:
         """Return what it does: a line, and perhaps further paragraphs."""
-        return inspect.cleandoc(cls.__doc__ or "").partition("\n\nParameters")[0]
+        return re.split(r"\n\n(?:Parameters|>>>)", inspect.cleandoc(cls.__doc__ or ""))[0]
 
     @classmethod
     def meanings(cls) -> dict[str, str]:
@@ -347,7 +398,8 @@ class Request(Record):
         found: dict[str, tuple[str, ...]] = dict.fromkeys(cls.headings, ())
         for name, one in cls.inputs().items():
             if not one.is_argument:
-                found[one.group] = (*found.get(one.group, ()), name)
+                heading = one.group or _OPTIONS
+                found[heading] = (*found.get(heading, ()), name)
         return found
 
     @classmethod
@@ -400,7 +452,7 @@ class Request(Record):
                 found[name] = texts if one.is_many else texts[-1]
         return cls(**{**found, **own})
 
-    def run(self, progress: Progress = quietly) -> Result:
+    def run(self, progress: Progress = quietly) -> Any:
         """Do it; progress: called with how much is done, and of how much."""
         raise NotImplementedError
 
@@ -412,6 +464,14 @@ class Request(Record):
         """Return why there is no result, for who reads the data alone; "" if there is one."""
         return str(found.complaint)
 
+    def has_result(self, found: Any) -> bool:
+        """Return whether there is one."""
+        return not self.complaint(found)
+
+    def json_text(self, found: Any) -> str:
+        """Return everything as JSON."""
+        return dumps(found.to_mapping(), indent=2)
+
     @classmethod
     def shipped_text(cls, name: str) -> str:
         """Return an example that is shipped, by its name, as a table."""
@@ -421,9 +481,10 @@ class Request(Record):
     def _with_example(cls, error: InputError) -> InputError:
         """Give an error about a field an example, written as an argument."""
         one = cls.inputs().get(error.field)
-        if one is None or not one.example:
+        if one is None or not (error.example or one.example) or isinstance(error.example, Phrase):
             return error
-        return error.with_details(example=arguments(**{error.field: one.example}))
+        example = error.example or one.example
+        return error.with_details(example=arguments(**{error.field: example}))
 
 
 def number_in(text: str, *, whole: bool = False) -> float | int:
@@ -461,5 +522,5 @@ def cost_of(text: str) -> float:
 
 
 def _with_point(text: str) -> str:
-    """Return a number with a decimal comma as one with a point."""
+    """Return a number with a decimal comma as one with a point, whatever language is spoken."""
     return text.replace(",", ".") if text.count(",") == 1 and "." not in text else text

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import numpy as np
 
-from rolamento.case import Case, case_of
+from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.io.json import plain
+from rolamento.io.json import dumps, plain
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.tasks.case_request import CaseRequest
 from rolamento.tasks.parameters import Progress, quietly
-from rolamento.tasks.request import PICTURE, Input, Product, Request
+from rolamento.tasks.request import PICTURE, Input, Product
 from rolamento.words import Note, marked, said
 
 if TYPE_CHECKING:
@@ -80,6 +81,11 @@ class Goal:
         return "not_in_range" if np.isfinite(self.curve.numbers).any() else "no_result"
 
     @property
+    def is_result(self) -> bool:
+        """Whether any value was found."""
+        return bool(self.found)
+
+    @property
     def complaint(self) -> str:
         """Why nothing was found; "" if something was."""
         from rolamento.pages.seek import seek_statement
@@ -97,6 +103,10 @@ class Goal:
         from rolamento.pages.seek import seek_picture
 
         return seek_picture(self)
+
+    def to_json(self) -> str:
+        """Return everything as JSON."""
+        return dumps(self.to_mapping(), indent=2)
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data, in SI units; lives in their own."""
@@ -122,7 +132,7 @@ class Goal:
         }
 
 
-class GoalSeek(Request):
+class GoalSeek(CaseRequest):
     """Solve for the input that gives an output its value.
 
     Any field of a case for any result of one number, over a range in which all solutions are found
@@ -130,8 +140,6 @@ class GoalSeek(Request):
 
     Parameters
     ----------
-    case
-        Case file (TOML or JSON), or a designation such as 6310/C3; - for standard input.
     vary
         Field to vary, such as bearing.preload, or with its range, FIELD=FIRST..LAST; by default
         around its value, up to a hundred times as much.
@@ -149,7 +157,6 @@ class GoalSeek(Request):
     [4435]
     """
 
-    case: Annotated[Any, Input("Case", "file", essential=True, metavar="CASE")]
     vary: Annotated[
         str,
         Input("Field to vary", group=GOAL, example="bearing.preload=100..1000N", metavar="FIELD"),
@@ -165,10 +172,8 @@ class GoalSeek(Request):
         ),
     ]
     log: Annotated[bool, Input("By equal ratios", "switch", GOAL)] = False
-    changes: Any = ()
 
-    waiting: ClassVar = marked("Solving …")
-    takes_case: ClassVar = True
+    counts: ClassVar = True
     examples: ClassVar = (
         "Examples: seek pair.toml --vary bearing.preload --for 'stiffness_xx=200 N/um'; "
         "seek 6310 --fr '5 kN' --speed '1480 rpm' --vary duty.load.fz=2..20kN --for "
@@ -187,7 +192,7 @@ class GoalSeek(Request):
         from rolamento.charts.axes_units import si_value
         from rolamento.tasks.curve import curve_over
 
-        case = case_of(self.case, self.changes)
+        case = self.loaded(needs_load=False)
         name, first, last = _range_of(self.vary)
         output, value = self._goal()
         for low, high, scale in self._ranges(case, name, first, last):
@@ -206,7 +211,7 @@ class GoalSeek(Request):
             at, is_jump = _closed_in(curve, target, low, high)
             (jumps if is_jump else found).append(at)
         cases = tuple(case.with_({curve.field.name: at}) for at in found)
-        notes = dict.fromkeys(note for one in cases for note in _notes_of(one))
+        notes = dict.fromkeys(note for one in cases for note in _notes_of(one, output))
         return Goal(curve, target, tuple(found), tuple(jumps), cases, tuple(notes))
 
     def _ranges(
@@ -306,7 +311,16 @@ def _size(numbers: FloatArray) -> float:
     return 1e-3 * float(np.nanmax(np.abs(numbers)))
 
 
-def _notes_of(case: Case) -> tuple[Note, ...]:
-    from rolamento.solution import solve
+def _notes_of(case: Case, output: str) -> tuple[Note, ...]:
+    """Return what qualifies a result: of the state, and of the life or the film that it is of."""
+    from rolamento.analysis import analyse
 
-    return tuple(solve(case).notes[0])
+    found = analyse(case, quick=True)
+    notes = [*found.solved.notes[0]]
+    if output.startswith("life") and found.life is not None:
+        theories = found.life.theories
+        own = next((theories[name] for name in theories if output.endswith(f"_{name}")), None)
+        notes += found.life.qualifications() if own is None else own.notes_of()
+    if "film" in output and found.film is not None:
+        notes += found.film.notes_of()
+    return tuple(notes)

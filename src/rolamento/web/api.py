@@ -14,6 +14,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 import rolamento
+from rolamento import tasks
 from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, arguments, guess
 from rolamento.io.json import dumps
@@ -27,14 +28,12 @@ from rolamento.web.requests import (
     EXAMPLE_MACHINE,
     BatchRequest,
     CaseRequest,
-    FrequenciesRequest,
-    FrictionRequest,
-    HeatRequest,
     LifeRequest,
     MachineRequest,
     ReportRequest,
     RotorRequest,
     WeibullRequest,
+    asking,
 )
 from rolamento.words import marked, said
 
@@ -46,6 +45,9 @@ _LONGEST: Final = 300
 _LOAD: Final = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
 _DESIGNATION: Final = {"designation": "6310/C3", "settings": _LOAD}
 _OIL: Final = {"lubricant": "ISO VG 68", "temperature.lubricant": "70 degC"}
+_OF_FREQUENCIES: Final = (
+    *("speed", "outer_speed", "slip", "angle", "tolerances", "harmonics", "sidebands"),
+)
 _ON_SHAFT: Final = {"machine": EXAMPLE_MACHINE, "settings": {"loads.0.fz": "-3 kN"}}
 _WITH_OIL: Final = {"designation": "6310/C3", "settings": {**_LOAD, **_OIL}}
 
@@ -170,41 +172,20 @@ def _rotor(asked: RotorRequest) -> str:
         raise error.with_details(field=name, example=arguments(speeds="0..6000rpm")) from None
 
 
-def _friction(asked: FrictionRequest) -> str:
-    from rolamento.tasks.friction import friction_mapping, friction_of_case
+def _run(
+    request: type[tasks.CaseRequest], *names: str, needs_load: bool = True
+) -> tuple[Callable[[Any], str], type[CaseRequest]]:
+    """Return what runs a use case of a case, and the record that its body holds.
 
-    return dumps(friction_mapping(friction_of_case(asked.to_case(), hysteresis=asked.hysteresis)))
+    names: of what else it may be given.
+    """
 
+    def run(asked: CaseRequest) -> str:
+        given = {name: one for name in names if (one := getattr(asked, name)) is not None}
+        done = request(case=asked.to_case(needs_load=needs_load), **given)
+        return done.json_text(done.run())
 
-def _heat(asked: HeatRequest) -> str:
-    from rolamento.heat import heat_balance, heat_transient
-
-    case = asked.to_case()
-    kind, found = (
-        ("heat", heat_balance(case).to_mapping())
-        if asked.time is None
-        else ("heat_time", heat_transient(case, asked.time).to_mapping())
-    )
-    return dumps({"schema": 1, "kind": kind, **found})
-
-
-def _frequencies(asked: FrequenciesRequest) -> str:
-    from rolamento.tasks import fault_frequencies
-    from rolamento.vibration.frequency_band import Tolerances
-
-    tolerances = asked.tolerances
-    found = fault_frequencies(
-        asked.to_case(needs_load=False),
-        speed=asked.speed,
-        outer_speed=asked.outer_speed,
-        slip=asked.slip,
-        angle=asked.angle,
-        tolerances=Tolerances(**{name: getattr(tolerances, name)
-                                 for name in type(tolerances).model_fields}),
-        harmonics=asked.harmonics,
-        sidebands=asked.sidebands,
-    )  # fmt: skip
-    return dumps(found.to_mapping())
+    return run, asking(request, *names)
 
 
 def _weibull(asked: WeibullRequest) -> str:
@@ -416,8 +397,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
         "/friction",
         marked("Friction"),
         marked("The friction torque by every model. As rolamento friction CASE --json."),
-        _friction,
-        FrictionRequest,
+        *_run(tasks.FrictionRequest, "hysteresis"),
         {
             "designation": "6310/C3",
             "settings": {
@@ -434,8 +414,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
         "/heat",
         marked("Temperatures and preload in operation"),
         marked("How warm a bearing runs, or how it warms up. As rolamento heat CASE --json."),
-        _heat,
-        HeatRequest,
+        *_run(tasks.HeatRequest, "time"),
         {
             "designation": "6310/C3",
             "settings": {**_LOAD, "lubricant": "ISO VG 68", "heat.housing_ambient": "4 W/K"},
@@ -451,8 +430,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
             "BPFO, BPFI, BSF and FTF, from the geometry, and from what rolls under the case's load"
             " if any. As rolamento frequencies BEARING --json."
         ),
-        _frequencies,
-        FrequenciesRequest,
+        *_run(tasks.FrequenciesRequest, *_OF_FREQUENCIES, needs_load=False),
         {"designation": "6205", "speed": "1797 rpm"},
         has=("schema", "kind", "title", "nominal", "loaded", "harmonics"),
     ),

@@ -5,6 +5,7 @@ Their docstrings are the descriptions of its OpenAPI document.
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from typing import Annotated, Any, Final, Literal
 
@@ -14,13 +15,14 @@ from pydantic import (
     GetCoreSchemaHandler,
     GetJsonSchemaHandler,
     WithJsonSchema,
+    create_model,
 )
 from pydantic_core import CoreSchema
 
 from rolamento.case import Case
 from rolamento.case.fields import changed
 from rolamento.case.machine import Machine, machine_of_tables
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import Ratio
 from rolamento.case.record import Record
 from rolamento.case.report import ReportHead
 from rolamento.errors import InputError
@@ -29,6 +31,7 @@ from rolamento.studies.outputs import DEFAULT_OUTPUTS
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.life import MOST_BEARINGS
 from rolamento.tasks.report import MOST_CASES
+from rolamento.tasks.request import Request as UseCase
 from rolamento.tasks.rotor import MOST_ORDERS
 from rolamento.web.limits import check_machine
 from rolamento.weibull.life_test import MAXIMUM_ROWS
@@ -38,14 +41,12 @@ __all__ = [
     "EXAMPLE_MACHINE",
     "BatchRequest",
     "CaseRequest",
-    "FrequenciesRequest",
-    "FrictionRequest",
-    "HeatRequest",
     "LifeRequest",
     "MachineRequest",
     "ReportRequest",
     "RotorRequest",
     "WeibullRequest",
+    "asking",
 ]
 
 _MOST_SETTINGS: Final = 200
@@ -146,6 +147,27 @@ class CaseRequest(Record):
         return case if case.title else case.replace(title=self.designation.strip())
 
 
+def asking(request: type[UseCase], *names: str) -> type[CaseRequest]:
+    """Return a record of a case, and of what else a use case is given.
+
+    Parameters
+    ----------
+    request
+        The use case.
+    names
+        Of its fields that it may be given here.
+    """
+    inputs, means = request.inputs(), request.meanings()
+    fields: dict[str, Any] = {}
+    for name in names:
+        one, default = inputs[name], request.model_fields[name].default
+        shown = Field(default, description=means[name], examples=[one.example])
+        fields[name] = (Annotated[Any, one], shown)
+    of_case = (CaseRequest.__doc__ or "").partition("\n\n")[2]
+    doc = f"{request.summary()}\n\n{inspect.cleandoc(of_case)}"
+    return create_model(request.__name__, __base__=CaseRequest, __doc__=doc, **fields)
+
+
 class BatchRequest(CaseRequest):
     """Many cases of one bearing: values of fields in, columns of results out.
 
@@ -172,45 +194,6 @@ class BatchRequest(CaseRequest):
     )
 
 
-class FrictionRequest(CaseRequest):
-    """A case of which the friction torque is to be found.
-
-    Parameters
-    ----------
-    case
-        The tables of a case file, with a [lubricant] and its temperature, or its coefficient of
-        friction.
-    designation
-        Of a bearing in the catalogue, instead of a case.
-    settings
-        Values over the case, by the dotted names of its fields; null takes one away.
-    hysteresis
-        Part of the elastic work that the material loses.
-    """
-
-    hysteresis: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.01, examples=[0.01])
-
-
-class HeatRequest(CaseRequest):
-    """A case of which the heat balance is to be found, or how it warms up.
-
-    Parameters
-    ----------
-    case
-        The tables of a case file, with a [lubricant] and where the heat goes, [heat].
-    designation
-        Of a bearing in the catalogue, instead of a case.
-    settings
-        Values over the case, by the dotted names of its fields; null takes one away.
-    time
-        How long it starts up from ambient temperature, instead of the balance; up to 1000 h.
-    """
-
-    time: Annotated[float, Quantity("time", above="0 s", at_most="1000 h")] | None = Field(
-        None, examples=["1 h"]
-    )
-
-
 class LifeRequest(CaseRequest):
     """A case, or the cases of the bearings on one shaft, whose life is to be found.
 
@@ -227,69 +210,6 @@ class LifeRequest(CaseRequest):
     """
 
     bearings: tuple[CaseRequest, ...] = Field((), max_length=MOST_BEARINGS)
-
-
-class FrequencyTolerances(Record):
-    """By how much the figures behind fault frequencies may be off, up and down.
-
-    Parameters
-    ----------
-    ball_diameter, pitch_diameter
-        Text with a unit.
-    contact_angle
-        Text with a unit.
-    speed
-        Of both rings, as a part of each.
-    slip
-        In addition to the slip given: the cage may lag by as much more.
-    """
-
-    ball_diameter: Annotated[float, Quantity("length", at_least="0 mm")] = Field(
-        0.0, examples=["0.01 mm"]
-    )
-    pitch_diameter: Annotated[float, Quantity("length", at_least="0 mm")] = Field(
-        0.0, examples=["0.1 mm"]
-    )
-    contact_angle: Annotated[float, Quantity("angle", at_least="0 deg")] | None = Field(
-        None, examples=["1 deg"]
-    )
-    speed: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.0, examples=[0.01])
-    slip: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.0, examples=[0.02])
-
-
-class FrequenciesRequest(CaseRequest):
-    """A bearing whose fault frequencies are to be found, also under the load of its case.
-
-    Parameters
-    ----------
-    case
-        The tables of a case file.
-    designation
-        Of a bearing in the catalogue, instead of a case; a load is not needed.
-    settings
-        Values over the case, by the dotted names of its fields; null takes one away.
-    speed, outer_speed
-        Of the rings, such as "1797 rpm"; by default those of the case.
-    slip
-        Part of the cage's speed against the outer ring that it lags behind.
-    angle
-        Contact angle of a bearing given by its clearance: "zero" (radial load), "free" (axial
-        load), or any angle such as "15 deg".
-    tolerances
-        By how much the figures may be off.
-    harmonics
-        How many multiples are listed.
-    sidebands
-        How many on either side of each.
-    """
-
-    speed: Text | None = Field(None, examples=["1797 rpm"])
-    outer_speed: Text | None = Field(None, examples=["0 rpm"])
-    slip: Annotated[float, Ratio(at_least=-1.0, at_most=1.0)] = Field(0.0, examples=[0.01])
-    angle: Text = Field("zero", examples=["15 deg"])
-    tolerances: FrequencyTolerances = Field(default_factory=FrequencyTolerances)
-    harmonics: int = Field(3, strict=True, ge=1, le=100, examples=[3])
-    sidebands: int = Field(1, strict=True, ge=0, le=10, examples=[1])
 
 
 EXAMPLE_MACHINE: Final[dict[str, Any]] = {
