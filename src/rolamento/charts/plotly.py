@@ -18,6 +18,7 @@ from rolamento.charts.contacts import AROUND
 from rolamento.charts.limits import decades, reach
 from rolamento.charts.palette import Look
 from rolamento.charts.record import (
+    BREAK,
     FAINT,
     Axis,
     Bars,
@@ -50,6 +51,10 @@ _MODES: Final = {"line": "lines", "points": "markers", "both": "lines+markers"}
 _DASHES: Final = {"dashdotdot": "10px,2px,2px,2px,2px,2px", "fine": "2px,2px"}
 _MARKS: Final = {"tick": "line-ns", "thin": "x-thin"}
 _CORNERS: Final = np.linspace(0.0, 2.0 * np.pi, 25)
+_GROUP: Final = 0.8
+"""Of the room of a category, which its bars fill, as Plotly has it."""
+_BEFORE_END: Final = 12
+"""Pixels from the end of a bar to its break mark."""
 _FINE: Final = 4
 """Decimals of the outline of an ellipse."""
 _SIDES: Final = {"left": "middle left", "right": "middle right", "above": "top center"}
@@ -122,6 +127,8 @@ def _in_panels(panels: Sequence[Chart], down: bool) -> tuple[list[dict[str, Any]
         layout["xaxis"] |= {"anchor": f"y{count}", "constrain": "domain"}
     if first.zones:
         layout |= _zones(first, {"x": across, "y": upright})
+    if breaks := list(_breaks(first, across)):
+        layout["annotations"] = layout.get("annotations", []) + breaks
     return data, layout
 
 
@@ -362,6 +369,19 @@ def _bars(chart: Chart, bars: Bars, limits: tuple[float, float]) -> dict[str, An
     if bars.valid:
         found["marker"]["opacity"] = [1.0 if fine else FAINT for fine in bars.valid]
     return found
+
+
+def _breaks(chart: Chart, across: tuple[float, float]) -> Iterator[dict[str, Any]]:
+    """Yield a break mark at the end of each bar that goes beyond the axis."""
+    groups = [one for one in chart.series if isinstance(one, Bars)]
+    thick = _GROUP / len(groups) if groups else 0.0
+    end = float(np.log10(across[1])) if chart.x.log else across[1]
+    for order, one in enumerate(groups):
+        shift = thick * (order - 0.5 * (len(groups) - 1))
+        for place, value in zip(one.places, one.values.tolist(), strict=True):
+            if value > across[1]:
+                yield {"x": end, "y": place + shift, "text": BREAK, "showarrow": False,
+                       "xshift": -_BEFORE_END, "bgcolor": "paper", "borderpad": 0}  # fmt: skip
 
 
 def _ellipses(chart: Chart, own: Ellipses) -> dict[str, Any]:

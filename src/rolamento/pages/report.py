@@ -65,6 +65,7 @@ __all__ = [
     "Part",
     "comparison_page",
     "comparison_sections",
+    "hours_text",
     "key_figures",
     "part_of",
     "remarks_section",
@@ -1123,7 +1124,7 @@ def _lives(report: Report) -> list[Table | Statement]:
     for name in theories:
         own = f"{base}.theories.{name}"
         rows = [
-            _hours_row(report, said("life"), f"{own}.hours"),
+            _hours_row(report, name, f"{own}.hours"),
             _Row(said("life modification factor a_ISO"), f"{own}.factors.a_iso"),
             _Row(said("valid here"), texts=tuple(_verdict(case, name) for case in report.cases)),
         ]
@@ -1181,16 +1182,26 @@ def _all_endings(report: Report) -> list[Block]:
     ]
 
 
-def _hours_row(report: Report, label: str, path: str) -> _Row:
-    """Hours, or in words those beyond what fatigue decides."""
+def _hours_row(report: Report, theory: str, path: str) -> _Row:
+    """Hours by a theory, or in words those beyond what fatigue decides."""
+    label = said("life")
     hours = [case.number(path) for case in report.cases]
     if all(own is None or own <= _LONGEST_LIFE for own in hours):
         return _Row(label, path, ".4r", unit="h")
-    texts = tuple("" if own is None else _hours_text(own) for own in hours)
+    texts = tuple(
+        "" if own is None else hours_text(own, below=_is_bound(case, theory))
+        for case, own in zip(report.cases, hours, strict=True)
+    )
     return _Row(label, unit="h", texts=texts)
 
 
-def _hours_text(hours: float) -> str:
+def hours_text(hours: float, *, below: bool = False) -> str:
+    """Return a life in hours, or in words that it is longer than what fatigue decides.
+
+    below: whether it is only known to be shorter than that.
+    """
+    if below:
+        return said("< {hours:.4r}", hours=hours)
     if hours > _LONGEST_LIFE:
         return said("> {hours}", hours=int(_LONGEST_LIFE))
     return said("{hours:.4r}", hours=hours)
@@ -1239,7 +1250,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
             values=[
                 _endless(case, name)
                 if own is None
-                else _hours_text(own)
+                else hours_text(own, below=_is_bound(case, name))
                 if own > _LONGEST_LIFE
                 else Number(own, ".4r")
                 for name, own in zip(theories, hours, strict=True)
@@ -1298,10 +1309,14 @@ def _verdict(case: CaseReport, theory: str) -> str:
     life = case.analysis.life
     if life is None or theory not in life.theories:
         return ""
-    own = life.theories[theory]
-    if own.below[0]:
+    if _is_bound(case, theory):
         return said("bound")
-    return said("yes") if own.valid[0] else said("no")
+    return said("yes") if life.theories[theory].valid[0] else said("no")
+
+
+def _is_bound(case: CaseReport, theory: str) -> bool:
+    life = case.analysis.life
+    return life is not None and theory in life.theories and bool(life.theories[theory].below[0])
 
 
 # --- clearance ------------------------------------------------------------------------------------

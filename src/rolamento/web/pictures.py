@@ -59,6 +59,7 @@ from rolamento.pages.film import regime_name
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import power_unit, source_name, torque_unit
 from rolamento.pages.life import limiting_sentences
+from rolamento.pages.report import hours_text
 from rolamento.records import frozen
 from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
@@ -475,7 +476,7 @@ def _life(cases: Cases) -> Picture:
         of = [name for name in theories if not np.isnan(lives.get((one.place, name), np.nan))]
         values = [float(lives[one.place, name]) for name in of]
         texts = (
-            _life_text(value, below=bool(own[name].below[0]))
+            _life_text(value, below=bool(own[name].below[0]), in_hours=turns)
             for name, value in zip(of, values, strict=True)
         )
         places = tuple(theories.index(name) for name in of)
@@ -497,9 +498,11 @@ def _life(cases: Cases) -> Picture:
     )
 
 
-def _life_text(value: float, *, below: bool) -> str:
+def _life_text(value: float, *, below: bool, in_hours: bool) -> str:
     if np.isposinf(value):
         return ENDLESS
+    if in_hours:
+        return hours_text(value, below=below)
     text = manner().significant(value, 4)
     return said("< {life}", life=text) if below else text
 

@@ -112,9 +112,10 @@ export function stalePictures(keys) {
 /** Take over pictures of an answer; they are drawn in the next frame. */
 export function showPictures(answer) {
   const late = [];
+  const isApart = Object.keys(answer).some((key) => figures.get(key)?.apart);
   for (const [key, own] of figures) {
     if (answer[key]) Object.assign(own, { next: answer[key], current: true, asked: false });
-    else if (!own.apart && !answer.curve && !answer.seek) late.push(key); // of an earlier case
+    else if (!own.apart && !isApart) late.push(key); // of an earlier case
   }
   stalePictures(late);
   later();
