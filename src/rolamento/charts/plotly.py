@@ -127,6 +127,9 @@ def _in_panels(panels: Sequence[Chart], down: bool) -> tuple[list[dict[str, Any]
         layout["xaxis"] |= {"anchor": f"y{count}", "constrain": "domain"}
     if first.zones:
         layout |= _zones(first, {"x": across, "y": upright})
+    if first.y.categories:
+        lines = [_line_below(mark) for mark in first.marks if mark.axis == "x"]
+        layout["shapes"] = layout.get("shapes", []) + lines
     if breaks := list(_breaks(first, across)):
         layout["annotations"] = layout.get("annotations", []) + breaks
     return data, layout
@@ -413,15 +416,23 @@ def _aside(text: str, side: Side) -> str:
     return "<br>".join(f"{before}{line}{after}" for line in text.split("\n"))
 
 
+def _line_below(mark: Mark) -> dict[str, Any]:
+    """Return a mark as a line below bars, whose texts stay legible; `_mark` names it."""
+    return {"type": "line", "layer": "below", "x0": mark.at, "x1": mark.at, "yref": "paper",
+            "y0": 0, "y1": 1, "line": _stroke(mark.look)}  # fmt: skip
+
+
 def _mark(chart: Chart, mark: Mark, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:
     """Return a line from end to end of the frame, in the legend as any other."""
     names = chart.y.categories
     ends: list[Any] = list(limits[0] if mark.axis == "y" else limits[1])
-    if names and mark.axis == "x":
+    below = names and mark.axis == "x"
+    if below:
         ends = [names[0], names[-1]]
     at = [mark.at, mark.at]
     own = chart.y if mark.axis == "y" else chart.x
     return {
+        **({"visible": "legendonly"} if below else {}),
         "type": "scatter", "mode": "lines", "name": mark.name, "line": _stroke(mark.look),
         "x": ends if mark.axis == "y" else at, "y": at if mark.axis == "y" else ends,
         "hovertemplate": _named(own.with_unit(f"%{{{mark.axis}:{_NUMBER}}}")),

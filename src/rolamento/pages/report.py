@@ -41,7 +41,7 @@ from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import no_load_text, untitled
-from rolamento.pages.life import rating_source
+from rolamento.pages.life import LONGEST_LIFE, hours_text, rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.pages.static import static_sections
@@ -65,7 +65,6 @@ __all__ = [
     "Part",
     "comparison_page",
     "comparison_sections",
-    "hours_text",
     "key_figures",
     "part_of",
     "remarks_section",
@@ -76,8 +75,6 @@ __all__ = [
 
 _ABREAST: Final = 2
 """Cases that stand beside the first in one table: more need more paper than there is."""
-_LONGEST_LIFE: Final = 100_000.0
-"""h beyond which fatigue does not end a life."""
 
 
 def report_page(report: Report) -> Document:
@@ -723,7 +720,7 @@ def _is_plain(case: CaseReport) -> bool:
     life, hours = case.analysis.life, case.number("analysis.life.headline.hours")
     if life is None or hours is None:
         return not (case.converged and life is not None and _is_endless(case))
-    return bool(life.headline.valid[0]) and hours <= _LONGEST_LIFE
+    return bool(life.headline.valid[0]) and hours <= LONGEST_LIFE
 
 
 def _is_endless(case: CaseReport) -> bool:
@@ -743,8 +740,8 @@ def _life_text(case: CaseReport) -> str:
         return ""
     if life.headline.below[0]:
         return said("< {hours:.4r} h", hours=hours)
-    if hours > _LONGEST_LIFE:
-        return said("> {hours} h", hours=int(_LONGEST_LIFE))
+    if hours > LONGEST_LIFE:
+        return said("> {hours} h", hours=int(LONGEST_LIFE))
     return said("{hours:.4r} h", hours=hours)
 
 
@@ -1124,7 +1121,7 @@ def _lives(report: Report) -> list[Table | Statement]:
     for name in theories:
         own = f"{base}.theories.{name}"
         rows = [
-            _hours_row(report, name, f"{own}.hours"),
+            _hours_row(report, said("life"), f"{own}.hours"),
             _Row(said("life modification factor a_ISO"), f"{own}.factors.a_iso"),
             _Row(said("valid here"), texts=tuple(_verdict(case, name) for case in report.cases)),
         ]
@@ -1182,29 +1179,13 @@ def _all_endings(report: Report) -> list[Block]:
     ]
 
 
-def _hours_row(report: Report, theory: str, path: str) -> _Row:
-    """Hours by a theory, or in words those beyond what fatigue decides."""
-    label = said("life")
+def _hours_row(report: Report, label: str, path: str) -> _Row:
+    """Hours, or in words those beyond what fatigue decides."""
     hours = [case.number(path) for case in report.cases]
-    if all(own is None or own <= _LONGEST_LIFE for own in hours):
+    if all(own is None or own <= LONGEST_LIFE for own in hours):
         return _Row(label, path, ".4r", unit="h")
-    texts = tuple(
-        "" if own is None else hours_text(own, below=_is_bound(case, theory))
-        for case, own in zip(report.cases, hours, strict=True)
-    )
+    texts = tuple("" if own is None else hours_text(own) for own in hours)
     return _Row(label, unit="h", texts=texts)
-
-
-def hours_text(hours: float, *, below: bool = False) -> str:
-    """Return a life in hours, or in words that it is longer than what fatigue decides.
-
-    below: whether it is only known to be shorter than that.
-    """
-    if below:
-        return said("< {hours:.4r}", hours=hours)
-    if hours > _LONGEST_LIFE:
-        return said("> {hours}", hours=int(_LONGEST_LIFE))
-    return said("{hours:.4r}", hours=hours)
 
 
 def _life_legends() -> tuple[str, ...]:
@@ -1212,7 +1193,7 @@ def _life_legends() -> tuple[str, ...]:
         said(
             "Above {hours} h fatigue does not limit the life. bound: upper bound of the life. κ "
             "viscosity ratio, e_C contamination factor.",
-            hours=int(_LONGEST_LIFE),
+            hours=int(LONGEST_LIFE),
         ),
     )
 
@@ -1250,8 +1231,8 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
             values=[
                 _endless(case, name)
                 if own is None
-                else hours_text(own, below=_is_bound(case, name))
-                if own > _LONGEST_LIFE
+                else hours_text(own)
+                if own > LONGEST_LIFE
                 else Number(own, ".4r")
                 for name, own in zip(theories, hours, strict=True)
             ],
@@ -1309,14 +1290,10 @@ def _verdict(case: CaseReport, theory: str) -> str:
     life = case.analysis.life
     if life is None or theory not in life.theories:
         return ""
-    if _is_bound(case, theory):
+    own = life.theories[theory]
+    if own.below[0]:
         return said("bound")
-    return said("yes") if life.theories[theory].valid[0] else said("no")
-
-
-def _is_bound(case: CaseReport, theory: str) -> bool:
-    life = case.analysis.life
-    return life is not None and theory in life.theories and bool(life.theories[theory].below[0])
+    return said("yes") if own.valid[0] else said("no")
 
 
 # --- clearance ------------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.errors import InputError
+from rolamento.pages.life import LONGEST_LIFE, hours_text
 from rolamento.pages.study import in_row
 from rolamento.studies.outputs import catalogue
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
@@ -41,6 +42,7 @@ MOST_POINTS: Final = 20
 """Points of a study's axes that a page has room for; JSON takes any number."""
 
 _SHOWN: Final = (5.0, 50.0, 95.0)
+_HOURS: Final = "life_hours"
 _MOVES: Final = 0.3
 """Rank correlation from which on an input is said to move an output."""
 _MOST_INPUTS: Final = 6
@@ -103,7 +105,11 @@ def tolerance_summary(study: ToleranceStudy) -> Section:
     for band in bands:
         values = [float(value) for value in band.percentile]
         unit = readable_unit(band.units, values, band.name)
-        rows.append(_row(values, unit))
+        cells = _row(values, unit)
+        if band.name == _HOURS:
+            pairs = zip(values, cells, strict=True)
+            cells = [hours_text(own) if own > LONGEST_LIFE else cell for own, cell in pairs]
+        rows.append(cells)
         units.append("" if unit.symbol == "–" else unit.symbol)
     heads = [f"{manner().short(percent, 6)} %" for percent in study.bands.percentiles]
     columns = (
@@ -158,9 +164,15 @@ def distribution_chart(study: ToleranceStudy, name: str) -> Chart:
     if not there.size:
         return nothing(said("no sample has a result"))
     unit = readable_unit(band.units, there, name)
+    if name == _HOURS and np.percentile(there, _SHOWN[0]) > LONGEST_LIFE:
+        return nothing(
+            said("more than {hours} h: fatigue does not end the life", hours=int(LONGEST_LIFE))
+        )
     texts = [
-        f"{manner().short(float(unit.of(value)), 4)} {unit.symbol}".removesuffix(" –")
-        for value in band.percentile
+        hours_text(value) + " h"
+        if name == _HOURS
+        else f"{manner().short(float(unit.of(value)), 4)} {unit.symbol}".removesuffix(" –")
+        for value in band.percentile.tolist()
     ]
     if not varies(there, band.units):
         return nothing(said("does not vary: {value}", value=texts[len(texts) // 2]))
@@ -175,10 +187,10 @@ def distribution_chart(study: ToleranceStudy, name: str) -> Chart:
         if np.isfinite(value)
     )  # fmt: skip
     told = said(
-        "{output}: {low} to {high} in nine of ten bearings, {middle} in the middle.",
+        "{output}: {low} to {high} in nine of ten cases, {middle} in the middle.",
         output=capitalised(label), low=texts[0], middle=texts[1], high=texts[2],
     )  # fmt: skip
-    spread = Spread(x, np.zeros_like(x), heights, capitalised(said("bearings")), Look("inner"))
+    spread = Spread(x, np.zeros_like(x), heights, capitalised(said("cases")), Look("inner"))
     outline = Line(x, heights, "", Look("inner"))
     return Chart(
         (spread, outline),

@@ -201,8 +201,9 @@ def tolerance(request: Mapping[str, Any]) -> dict[str, Any]:
     scatter = request.get("scatter")
     if not scatter:
         return answer
-    found = tolerance_of_case(case, _deviations(scatter), [one.name for one in outputs])
-    shown = output if output in {one.name for one in outputs} else answer["outputs"][0]["name"]
+    names = [one["name"] for one in answer["outputs"]]
+    found = tolerance_of_case(case, _deviations(scatter), names)
+    shown = output if output in names else names[0]
     return {
         **answer,
         "output": shown,

@@ -58,8 +58,7 @@ from rolamento.notes import nothing_given
 from rolamento.pages.film import regime_name
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import power_unit, source_name, torque_unit
-from rolamento.pages.life import limiting_sentences
-from rolamento.pages.report import hours_text
+from rolamento.pages.life import LONGEST_LIFE, hours_text, limiting_sentences
 from rolamento.records import frozen
 from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
@@ -501,10 +500,9 @@ def _life(cases: Cases) -> Picture:
 def _life_text(value: float, *, below: bool, in_hours: bool) -> str:
     if np.isposinf(value):
         return ENDLESS
-    if in_hours:
-        return hours_text(value, below=below)
-    text = manner().significant(value, 4)
-    return said("< {life}", life=text) if below else text
+    text = hours_text(value) if in_hours else manner().significant(value, 4)
+    long = in_hours and value > LONGEST_LIFE
+    return said("< {life}", life=text) if below and not long else text
 
 
 def _limits_of_lives(

@@ -351,7 +351,7 @@ function showStatus() {
       return make("p", { className: "faint" }, ` ${many ? `${store.names[n]}: ` : ""}${say("first.status")}`);
     const good = !error && status?.converged && !status.advice;
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
-    const plain = error ? error.message : !status ? say("stale.waiting")
+    const plain = error ? wrongOf(error) : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
     const text = plain.charAt(0).toUpperCase() + plain.slice(1);
     const line = make("p", { className: error ? "bad" : good ? "good" : status ? "warning" : "faint" },
@@ -361,6 +361,12 @@ function showStatus() {
   const text = lines.map((one) => one.textContent).join();
   if (text === $("status").textContent) return; // it is read aloud when it changes
   $("status").replaceChildren(...lines);
+}
+
+/** What is wrong with an input, by the label of its field; there stands how to mend it. */
+function wrongOf({ field, rule, message }) {
+  const own = start.form.groups.flatMap((group) => group.fields).find((one) => one.name === field);
+  return own && rule ? `${own.label}: ${rule}` : message;
 }
 
 function banner(text) {

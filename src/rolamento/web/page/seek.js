@@ -9,7 +9,7 @@ const KEY = "seek";
 /** Offer what may be chosen, what is asked for most first; what was chosen stays. */
 export function choices(select, all) {
   const chosen = select.value;
-  const option = ({ name, label }) => make("option", { value: name, textContent: label });
+  const option = ({ name, label }) => make("option", { value: name, textContent: label.replaceAll("_", "") }); // no letters are lowered there
   const group = (word, ones) => (ones.length ? make("optgroup", { label: say(word) }, ...ones.map(option)) : null);
   select.replaceChildren(...[group("seek.usual", all.filter((one) => one.usual)), group("seek.others", all.filter((one) => !one.usual))].filter(Boolean));
   if (all.some((one) => one.name === chosen)) select.value = chosen;

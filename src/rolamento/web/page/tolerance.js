@@ -26,7 +26,7 @@ export function startTolerance(root, { current }) {
   separate(KEY, follow);
   const figure = root.querySelector("details");
   let sizes = null; // by field: its tolerance, SI; null before anybody chose
-  let known = ""; // case and tolerances that were asked for
+  let known = ""; // case and tolerances that were asked for last
   let fields = new Map();
   let timer = 0;
   let flying = null;
@@ -41,10 +41,10 @@ export function startTolerance(root, { current }) {
     if (known === text) return;
     flying?.abort();
     const mine = (flying = new AbortController());
+    known = text;
     figure.classList.add("asking");
     try {
       const answer = await ask("tolerance", request, { signal: mine.signal });
-      known = text;
       complain("");
       offer(answer);
       if (!answer.table) return void follow(); // now it is known what may scatter
@@ -52,6 +52,7 @@ export function startTolerance(root, { current }) {
       showPictures({ [KEY]: answer.picture });
     } catch (problem) {
       if (problem.name === "AbortError") return;
+      known = "";
       complain(problemOf(problem));
       stalePictures([KEY]);
     } finally {
