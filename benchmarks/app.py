@@ -307,18 +307,36 @@ def _client(address: str) -> httpx.AsyncClient:
     return httpx.AsyncClient(base_url=address, timeout=120.0, limits=limits)
 
 
-def _memory(pid: int) -> float:
-    """MB of a process that are resident."""
-    text = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
-    found = re.search(r"VmRSS:\s+(\d+) kB", text)
-    assert found is not None
-    return int(found[1]) / 1e3
+def _answering(server: int) -> Iterator[Path]:
+    """What the system knows of the server, and of the processes beside it that answer hands.
+
+    Not those of slow work, which come and go.
+    """
+    yield Path(f"/proc/{server}")
+    for task in Path(f"/proc/{server}/task").iterdir():
+        for child in (task / "children").read_text(encoding="ascii").split():
+            own = Path(f"/proc/{child}")
+            if b"spawn_main" in (own / "cmdline").read_bytes():
+                yield own
 
 
-def _processor(pid: int) -> float:
-    """Seconds that a process has kept processors busy."""
-    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+def _memory(server: int) -> float:
+    """MB that are resident of the server and the processes that answer hands."""
+    total = 0.0
+    for own in _answering(server):
+        found = re.search(r"VmRSS:\s+(\d+) kB", (own / "status").read_text(encoding="ascii"))
+        assert found is not None
+        total += int(found[1]) / 1e3
+    return total
+
+
+def _processor(server: int) -> float:
+    """Seconds that the server and the processes that answer hands have kept processors busy."""
+    total = 0
+    for own in _answering(server):
+        fields = (own / "stat").read_text(encoding="ascii").rpartition(")")[2].split()
+        total += int(fields[11]) + int(fields[12])
+    return total / os.sysconf("SC_CLK_TCK")
 
 
 if __name__ == "__main__":

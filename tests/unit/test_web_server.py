@@ -29,6 +29,7 @@ from rolamento.cli.app import app as commands
 from rolamento.errors import InputError
 from rolamento.units import to_si
 from rolamento.web import answers, api, limits, page_api, server, warming
+from rolamento.web.hands import Hands
 from rolamento.web.server import Settings, create_app, server_options
 from rolamento.words import speaking
 
@@ -457,25 +458,20 @@ def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None
     anyio.run(run)
 
 
-def test_a_hand_does_not_wait_for_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_hand_does_not_wait_for_programs() -> None:
     """However many requests of programs run, a thread is left for the page."""
-    monkeypatch.setattr(limits, "FAST_AT_ONCE", 2)
-    monkeypatch.setattr(limits, "PROGRAMS_AT_ONCE", 1)
-    limits._queue.cache_clear()
 
     async def run() -> float:
+        hands = Hands(processes=0)
         async with anyio.create_task_group() as group:
             for _ in range(5):
-                group.start_soon(lambda: limits.fast(time.sleep, 0.2, for_program=True))
+                group.start_soon(limits.fast, time.sleep, 0.2)
             await anyio.sleep(0.05)
             began = time.perf_counter()
-            await limits.fast(to_si, "10 mm", "length")
+            await hands.run(to_si, "10 mm", "length")
             return time.perf_counter() - began
 
-    try:
-        assert anyio.run(run) < 0.5  # five of them take a second
-    finally:
-        limits._queue.cache_clear()
+    assert anyio.run(run) < 0.5  # five of them take a second
 
 
 def test_what_is_small_goes_first_but_not_for_ever() -> None:

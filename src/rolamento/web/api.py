@@ -576,7 +576,7 @@ def _route(operation: Operation) -> Route:
         else:
             given = await read_json(request, operation.most)
         found = await by_weight(
-            _done, operation.path, given, asked=given, seconds=operation.seconds, for_program=True
+            _done, operation.path, given, asked=given, seconds=operation.seconds
         )
         return answer(found) if isinstance(found, str) else response_of(found)
 

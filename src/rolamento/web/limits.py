@@ -1,17 +1,17 @@
 """How much is done at once, and for how long: threads for what is fast, processes for the rest.
 
-What is fast runs in threads of the server, few of them: they share one interpreter. Those of the
-page, whose answers follow a hand, are not those of the API and of curves, which take up to a second
-and would hold them up. What is slow runs in
-worker processes, which a time limit or a visitor's leaving ends, with a lower priority: so it never
-holds up what is fast.
+What is fast runs in a thread of the server, few at once: they share one interpreter. What follows a
+hand is apart (`hands`): the API and curves take up to a second and would hold it up. What is slow
+runs in worker processes, which a time limit or a visitor's leaving ends, with a lower priority: so
+it never holds up what is fast.
 """
 
 from __future__ import annotations
 
 import os
+import pickle
 import threading
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
 from contextvars import ContextVar
 from functools import cache
@@ -28,33 +28,35 @@ from starlette.types import Receive
 from rolamento.errors import InputError
 from rolamento.records import frozen
 from rolamento.system.shafts import FINENESS
+from rolamento.web import modest
 from rolamento.web.answers import RequestError
 from rolamento.words import language, said, speaking
 
 __all__ = [
+    "MOST_WAITING",
     "VISITOR",
     "Limits",
     "MachineSize",
     "Turns",
+    "busy",
     "by_weight",
     "check_machine",
     "fast",
+    "in_language",
     "size_of_machine",
     "slow",
 ]
 
 R = TypeVar("R")
 
-FAST_AT_ONCE: Final = max(1, (os.cpu_count() or 1) - 1)
-PROGRAMS_AT_ONCE: Final = max(1, FAST_AT_ONCE - 1)
+FAST_AT_ONCE: Final = max(1, (os.cpu_count() or 1) - 2)
 SLOW_AT_ONCE: Final = max(1, os.cpu_count() or 1)
-_MOST_WAITING: Final = {"fast": 100, "slow": 8}
+MOST_WAITING: Final = {"fast": 100, "slow": 8}
 """Requests of a kind that may wait for their turn."""
 SECONDS: Final = 60.0
 """That something slow may take, its turn in the queue not counted."""
 _LONGEST_WAIT: Final = 60.0
 """Seconds in the queue."""
-_NICENESS: Final = 10
 
 
 VISITOR: Final[ContextVar[Receive | None]] = ContextVar("visitor", default=None)
@@ -77,10 +79,11 @@ class Limits:
             503, to be tried again later.
         """
         if self.limiter.statistics().tasks_waiting >= self.most_waiting:
-            raise _busy()
+            raise busy()
 
 
-def _busy() -> RequestError:
+def busy() -> RequestError:
+    """Return the refusal of a request for which there is no room."""
     return RequestError(said("too many requests are waiting; try again in a moment"), 503)
 
 
@@ -115,7 +118,7 @@ class Turns:
 
     async def _wait(self, size: float) -> None:
         if len(self._waiting) >= self._most_waiting:
-            raise _busy()
+            raise busy()
         number = next(self._came)
         own = (number + log10(max(size, 1.0)), number, anyio.Event())
         heappush(self._waiting, own)
@@ -129,7 +132,7 @@ class Turns:
             else:  # its turn had come
                 self._pass_on()
             if isinstance(error, TimeoutError):
-                raise _busy() from None
+                raise busy() from None
             raise
 
     def _pass_on(self) -> None:
@@ -140,16 +143,15 @@ class Turns:
 
 
 @cache
-def _queue(_thread: int, for_program: bool = False) -> Limits:
+def _queue(_thread: int) -> Limits:
     """The queue of what is fast, of an event loop, which is one to a thread."""
-    at_once = PROGRAMS_AT_ONCE if for_program else FAST_AT_ONCE
-    return Limits(at_once, _MOST_WAITING["fast"])
+    return Limits(FAST_AT_ONCE, MOST_WAITING["fast"])
 
 
 @cache
 def _turns(_thread: int) -> Turns:
     """The queue of slow work, one for each event loop."""
-    return Turns(SLOW_AT_ONCE, _MOST_WAITING["slow"])
+    return Turns(SLOW_AT_ONCE, MOST_WAITING["slow"])
 
 
 _HEAVY: Final = frozenset({"coupled"})
@@ -197,7 +199,8 @@ def _counted(asked: Any) -> tuple[float, int]:
                     elements = max(elements, _whole(value))
                 elif own in _ROWS and isinstance(value, list | str):
                     rows = max(rows, len(value))
-            left += one.values()
+                if isinstance(value, Mapping | list | tuple | str):
+                    left.append(value)
         elif isinstance(one, list | tuple):
             cases = max(cases, sum(isinstance(item, Mapping) for item in one))
             left += one
@@ -297,7 +300,7 @@ async def by_weight(
     *args: Any,
     asked: Mapping[str, Any],
     seconds: float = 0.0,
-    for_program: bool = False,
+    light: Callable[..., Awaitable[R]] | None = None,
 ) -> R:
     """Run what a request asks where it belongs: as slow work if it is, else as fast.
 
@@ -309,25 +312,23 @@ async def by_weight(
         The request: what is usually fast is slow where a case of it is heavy.
     seconds
         That it may take where it is always slow; 0 of what is usually fast.
-    for_program
-        Whether no hand waits for it, as of `fast`.
+    light
+        What runs it where it is fast: `fast`, or `Hands.run`.
     """
     if seconds or _is_heavy(asked):
         return await slow(function, *args, seconds=seconds or SECONDS)
-    return await fast(function, *args, for_program=for_program)
+    return await (light or fast)(function, *args)
 
 
-async def fast(function: Callable[..., R], *args: Any, for_program: bool = False) -> R:
+async def fast(function: Callable[..., R], *args: Any) -> R:
     """Run what takes milliseconds, in a thread, in the language that is spoken.
-
-    for_program: whether no hand waits for it: then fewer are run at once.
 
     Raises
     ------
     RequestError
         503, if too many wait.
     """
-    queue = _queue(threading.get_ident(), for_program)
+    queue = _queue(threading.get_ident())
     queue.check()
     return await anyio.to_thread.run_sync(function, *args, limiter=queue.limiter)
 
@@ -347,13 +348,14 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
     RequestError
         503 if too many wait, or the process was ended twice; 504 if it takes longer.
     """
+    work = pickle.dumps((in_language, (language(), function, args)))
     async with _turns(threading.get_ident()).turn(_size_of(args)):
         try:
             with anyio.fail_after(seconds):
                 try:
-                    found = await _while_there(_in_worker, language(), function, args)
+                    found = await _while_there(work)
                 except anyio.BrokenWorkerProcess:  # ended by somebody: once more, in another one
-                    found = await _while_there(_in_worker, language(), function, args)
+                    found = await _while_there(work)
         except anyio.BrokenWorkerProcess:
             rule = said("the process that worked on it was ended; try again in a moment")
             raise RequestError(rule, 503) from None
@@ -365,22 +367,22 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
     return cast(R, found)
 
 
-async def _while_there(function: Callable[..., R], *args: Any) -> R | InputError:
-    """Run something in a process that ends when the visitor leaves.
+async def _while_there(work: bytes) -> Any:
+    """Run what is pickled in a process that ends when the visitor leaves.
 
     Raises
     ------
     Exception
         What it raised.
     """
-    found: list[R] = []
+    found: list[Any] = []
     failure: list[Exception] = []
 
     async def run() -> None:
         try:
             found.append(
                 await anyio.to_process.run_sync(
-                    function, *args, cancellable=True, limiter=_unlimited()
+                    modest.run, work, cancellable=True, limiter=_unlimited()
                 )
             )
         except Exception as error:
@@ -407,18 +409,10 @@ def _unlimited() -> anyio.CapacityLimiter:
     return anyio.CapacityLimiter(float("inf"))
 
 
-def _in_worker(code: str, function: Callable[..., R], args: tuple[Any, ...]) -> R | InputError:
-    """Run a function in a worker process; what it refuses is returned, with all that it says."""
-    _be_modest()
+def in_language(code: str, function: Callable[..., R], args: tuple[Any, ...]) -> R | InputError:
+    """Run a function; what it refuses is returned, with all that it says."""
     with speaking(code):
         try:
             return function(*args)
         except InputError as error:
             return error
-
-
-@cache
-def _be_modest() -> None:
-    """Let requests that are fast go first."""
-    if hasattr(os, "nice"):
-        os.nice(_NICENESS)

@@ -439,7 +439,8 @@ async def _asked(request: Request) -> Response:
         with suppress(InputError):  # which is said where the request is answered
             tables = with_changes(tables, changes)
     seconds = 0.0 if size_of_machine(tables).is_fast else SECONDS
-    return answer(await by_weight(function, asked, asked=asked, seconds=seconds))
+    hands = request.app.state.hands
+    return answer(await by_weight(function, asked, asked=asked, seconds=seconds, light=hands.run))
 
 
 async def _reported(request: Request) -> Response:

@@ -17,6 +17,7 @@ from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import built_in_catalogue
 from rolamento.document.html import STYLE as DOCUMENT_STYLE
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
 from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
@@ -271,6 +272,13 @@ def example_drawings() -> dict[str, str]:
     return found
 
 
+def _written(
+    function: Callable[[Mapping[str, Any]], Mapping[str, Any]], asked: Mapping[str, Any]
+) -> str:
+    """Answer as JSON: the thread or the process that works it out writes it too."""
+    return dumps(function(asked))
+
+
 def _asks(
     path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]], *, follows: bool = False
 ) -> Route:
@@ -278,7 +286,8 @@ def _asks(
 
     async def endpoint(request: Request) -> Response:
         asked = await read_json(request)
-        return answer(await by_weight(function, asked, asked=asked, for_program=not follows))
+        light = request.app.state.hands.run if follows else fast
+        return answer(await by_weight(_written, function, asked, asked=asked, light=light))
 
     return Route(path, endpoint, methods=["POST"])
 

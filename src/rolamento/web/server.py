@@ -10,6 +10,7 @@ import logging
 import mimetypes
 import os
 import socket
+import sys
 import threading
 from collections import Counter
 from collections.abc import AsyncIterator, Mapping
@@ -37,6 +38,7 @@ from rolamento.io.json import dumps
 from rolamento.records import frozen
 from rolamento.web import api, drops, machine, page_api
 from rolamento.web.answers import RequestError, answer, language_for, refused
+from rolamento.web.hands import PROCESSES, Hands
 from rolamento.web.limits import VISITOR, slow
 from rolamento.web.openapi import DOCS, DOCUMENT, docs_page, openapi_document
 from rolamento.web.warming import Warmth, make_ready, make_worker_ready
@@ -90,6 +92,9 @@ _FIRST_REQUEST: Final = 10.0
 """Seconds after which a new connection has to have brought one."""
 _KEPT_OPEN: Final = 30
 """Seconds that a connection is kept between two requests."""
+_HAND_OVER: Final = 5e-4
+"""Seconds after which a thread at work lets another one go on, ten times as often as usual: each
+request passes from thread to thread some five times, and waited for it each time."""
 
 
 @frozen(slots=False)
@@ -126,13 +131,15 @@ def create_app(settings: Settings | None = None) -> Starlette:
         How it is started; for this machine alone by default.
     """
     settings = settings or Settings()
-    warmth = Warmth()
+    warmth, hands = Warmth(), Hands(PROCESSES if settings.warm else 0)
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncIterator[None]:
+        sys.setswitchinterval(_HAND_OVER)
         warmth.ready = not settings.warm
         tasks = [asyncio.create_task(_make_all_ready(warmth))] if settings.warm else []
         yield
+        hands.close()
         for task in tasks:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
@@ -153,7 +160,7 @@ def create_app(settings: Settings | None = None) -> Starlette:
         ],
     )
     app.router.redirect_slashes = False
-    app.state.settings, app.state.warmth = settings, warmth
+    app.state.settings, app.state.warmth, app.state.hands = settings, warmth, hands
     return app
 
 

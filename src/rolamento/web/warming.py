@@ -14,7 +14,7 @@ from typing import Any, Final
 
 from rolamento.words import languages, speaking
 
-__all__ = ["Warmth", "make_ready", "make_worker_ready"]
+__all__ = ["Warmth", "make_follower_ready", "make_ready", "make_worker_ready"]
 
 _log: Final = logging.getLogger("rolamento.web")
 _SPEED: Final = {"inner_speed": "1480 rpm"}
@@ -64,6 +64,13 @@ def make_ready(warmth: Warmth) -> None:
         warmth.done += 1
     _settle_memory()
     warmth.ready = True
+
+
+def make_follower_ready() -> None:
+    """Load and compile what follows a hand, in a process that answers nothing else."""
+    for case in (_BALLS, _SET, _ROLLERS):
+        _follow(case)
+    _settle_memory()
 
 
 def make_worker_ready() -> None:
