@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import http.server
+import importlib
 import io
 import json
 import os
@@ -32,6 +33,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Final
 
 import h5py
@@ -42,6 +44,7 @@ from typer.testing import CliRunner
 
 import rolamento
 from rolamento.cli.app import app
+from rolamento.io.foreign import isolated
 
 STUDY: Final = """
 title = "Faults"
@@ -316,8 +319,45 @@ def files(folder: Path, count: int, seed: int) -> Iterator[Tried]:
     yield _bombs(folder, heard)
 
 
+class _Forked:
+    """The process of a reader, forked from this one, which has loaded what it needs.
+
+    Ten times as soon as one that is started; bounds and conversation are the same.
+    """
+
+    def __init__(self, program: list[str], **_: object) -> None:
+        (asked, own_questions), (own_answers, answered) = os.pipe(), os.pipe()
+        self._pid = os.fork()
+        if self._pid == 0:
+            try:
+                for place, end in enumerate((asked, answered, os.open(os.devnull, os.O_WRONLY))):
+                    os.dup2(end, place)
+                os.close(own_questions)
+                os.close(own_answers)
+                sys.stdin = os.fdopen(0)
+                exec(program[-1], {})
+            finally:
+                os._exit(0)
+        os.close(asked)
+        os.close(answered)
+        self.stdin, self.stdout = os.fdopen(own_questions, "wb"), os.fdopen(own_answers, "rb")
+
+    def kill(self) -> None:
+        """End it; it is waited for after that, so that its number is still its own."""
+        os.kill(self._pid, signal.SIGKILL)
+
+    def wait(self) -> None:
+        """Wait for its end."""
+        os.waitpid(self._pid, 0)
+
+
 def readers(folder: Path, count: int, seed: int) -> Iterator[Tried]:
     """Damaged spreadsheets, results and records, one after the other in one process."""
+    for library in ("h5netcdf", "h5py", "openpyxl", "xarray"):
+        importlib.import_module(library)
+    isolated.subprocess = SimpleNamespace(  # type: ignore[attr-defined]
+        Popen=_Forked, PIPE=subprocess.PIPE, DEVNULL=subprocess.DEVNULL
+    )
     rng = random.Random(seed)
     _write_study(folder, 300)
     command(folder, "sweep", "study.toml", "-o", "seed.nc")

@@ -65,7 +65,7 @@ def of_commands() -> Iterator[tuple[str, str | None]]:
         command = pending.pop()
         texts = [command.help, command.epilog, *command.groups]
         texts += [getattr(one, "help", None) for one in command.params]
-        yield from ((unwrapped(text), None) for text in texts if text)
+        yield from ((one, None) for text in texts if text for one in unwrapped(text).split("\n\n"))
         marks = [command.options_metavar, getattr(command, "subcommand_metavar", None)]
         marks += [getattr(one, "metavar", None) for one in command.params]
         yield from ((mark, METAVAR) for mark in marks if mark)

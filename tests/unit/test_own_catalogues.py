@@ -12,7 +12,8 @@ import pytest
 from rolamento import Bearing, Case, Duty, InputError, Load, studies
 from rolamento.case import case_to_toml, override, parse_case
 from rolamento.catalogue import catalogue, catalogues, geometry_of
-from rolamento.catalogue.records import own_records, records_of_csv
+from rolamento.catalogue.designation import each_folded, folded
+from rolamento.catalogue.records import OwnRecords, records_of_csv
 from rolamento.studies.plan import Plan, solve_task
 
 OWN = """\
@@ -92,4 +93,7 @@ def test_the_files_of_the_package_are_read_alike_by_both_readers() -> None:
     assert len(files) > 10
     for file in files:
         text = file.read_text(encoding="utf-8")
-        assert own_records(text, file.name) == records_of_csv(text, file.name)
+        own = OwnRecords({file.name: text})
+        assert tuple(own) == records_of_csv(text, file.name)
+        assert own[-1] is own[len(own) - 1]
+        assert each_folded(own.designations) == [folded(name) for name in own.designations]

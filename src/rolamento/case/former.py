@@ -5,7 +5,6 @@ Each is said once to be another now, on the log. A name goes from here with rele
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Mapping
 from functools import cache
 from typing import Any, Final
@@ -14,7 +13,6 @@ from rolamento.words import said
 
 __all__ = ["FIELDS", "OUTPUTS", "STATUSES", "current", "with_current_names"]
 
-_log = logging.getLogger("rolamento")
 
 FIELDS: Final = {"life.wanted_life": "life.required_life"}
 """Fields of a case, dotted."""
@@ -60,6 +58,8 @@ def with_current_names(given: Any, former: Mapping[str, str]) -> Any:
 
 @cache
 def _say_once(old: str, new: str) -> None:
-    _log.warning(
+    import logging
+
+    logging.getLogger("rolamento").warning(
         said("{old} is called {new} now; the old name is read until release 0.3", old=old, new=new)
     )

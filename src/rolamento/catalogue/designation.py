@@ -7,7 +7,7 @@ they are is known.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cache
 from math import radians
@@ -285,6 +285,12 @@ def folded(text: str) -> str:
     """
     kept = with_kept_bore(text[:_LONGEST].replace("°", "deg"))
     return "".join(kept.translate(_PARTING).split()).casefold()
+
+
+def each_folded(texts: Sequence[str]) -> list[str]:
+    """Return thousands of designations, none longer than a line, as `folded` returns each."""
+    kept = with_kept_bore("\n".join(texts).replace("°", "deg"))
+    return kept.translate(_PARTING).replace(" ", "").casefold().split("\n")
 
 
 def with_kept_bore(text: str) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib import resources
 from itertools import chain, islice
 from math import degrees, radians
@@ -17,6 +17,7 @@ from typing import Final, NamedTuple, cast
 
 from rolamento.catalogue.designation import (
     Designation,
+    each_folded,
     folded,
     other_type,
     parse_designation,
@@ -31,13 +32,12 @@ from rolamento.catalogue.letters import (
 )
 from rolamento.catalogue.records import (
     CatalogueBearing,
-    own_records,
+    OwnRecords,
     records_of_csv,
     records_of_toml,
 )
 from rolamento.errors import FileError, InputError
 from rolamento.io.data import toml_of
-from rolamento.io.tables import table_text
 from rolamento.io.text import read_text
 from rolamento.records import frozen
 from rolamento.types import BearingKey, of_balls
@@ -107,7 +107,7 @@ def standard_width(bore: float, outside_diameter: float) -> float | None:
     return None
 
 
-@frozen(eq=False)
+@frozen(eq=False, slots=False)
 class Catalogue:
     """Bearings by their designation; later ones take the place of earlier ones.
 
@@ -115,18 +115,30 @@ class Catalogue:
     ----------
     bearings
         The records.
+    keys
+        Their designations as they are looked up, `folded`; by default those that they name.
     """
 
-    bearings: tuple[CatalogueBearing, ...]
-    _by_key: dict[str, CatalogueBearing] = field(init=False, repr=False, compare=False)
-    _with_maker: tuple[str, ...] = field(init=False, repr=False, compare=False)
+    bearings: Sequence[CatalogueBearing]
+    keys: Sequence[str] = field(default=(), repr=False)
 
-    def __post_init__(self) -> None:
-        by_key = {folded(bearing.designation): bearing for bearing in self.bearings}
-        makers = {bearing.maker: folded(bearing.maker) for bearing in self.bearings}
-        with_maker = tuple(makers[bearing.maker] + key for key, bearing in by_key.items())
-        object.__setattr__(self, "_by_key", by_key)
-        object.__setattr__(self, "_with_maker", with_maker)
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        keys = self.keys or [folded(bearing.designation) for bearing in self.bearings]
+        return {key: place for place, key in enumerate(keys)}
+
+    @cached_property
+    def _with_maker(self) -> dict[str, str]:
+        """The keys behind those of the makers, by the keys."""
+        makers = {key: self._named(key).maker for key in self._places}
+        before = {maker: folded(maker) for maker in {*makers.values()}}
+        return {key: before[maker] + key for key, maker in makers.items()}
+
+    def _named(self, key: str) -> CatalogueBearing:
+        return self.bearings[self._places[key]]
+
+    def _known(self, key: str) -> CatalogueBearing | None:
+        return self._named(key) if key in self._places else None
 
     def beside(self, paths: Iterable[str | os.PathLike[str]]) -> Catalogue:
         """Return a catalogue with a user's files added; what they name again, they replace.
@@ -141,6 +153,8 @@ class Catalogue:
         InputError
             If a file cannot be read, or is no catalogue; with the line.
         """
+        from rolamento.io.tables import table_text
+
         added: list[CatalogueBearing] = []
         for path in paths:
             name = os.fspath(path)
@@ -173,14 +187,13 @@ class Catalogue:
         compact = "".join(text[:60].split()).casefold()
         if _SIZES.fullmatch(compact):
             return self._of_sizes([1e-3 * float(size) for size in re.split("[x×]", compact)])[:most]
-        keyed = self._by_key.items()
-        first = (bearing for key, bearing in keyed if key.startswith(wanted))
+        first = (key for key in self._places if key.startswith(wanted))
         rest = (
-            bearing
-            for (key, bearing), name in zip(keyed, self._with_maker, strict=True)
+            key
+            for key, name in self._with_maker.items()
             if wanted in name and not key.startswith(wanted)
         )
-        return tuple(islice(chain(first, rest), most))
+        return tuple(map(self._named, islice(chain(first, rest), most)))
 
     def find(self, text: str) -> Found:
         """Return the bearing of a designation with prefixes and suffixes.
@@ -201,28 +214,28 @@ class Catalogue:
         return _found_in(self, text)
 
     def _found(self, text: str) -> Found:
-        own = self._by_key.get(folded(text))
+        own = self._known(folded(text))
         if own is not None and not self._is_displaced(own, text):
             return self._own(own, text)
         designation = parse_designation(text)
-        own = self._by_key.get(folded(designation.name))
+        own = self._known(folded(designation.name))
         if own is not None and own.has_rollers and own.maker == designation.maker:
             return self._own(own, text)
         named = self._by_shorter_name(designation)
         if named is not None:
             return named
         for key in designation.names:
-            if key in self._by_key:
-                return Found(self._by_key[key], designation)
+            if key in self._places:
+                return Found(self._named(key), designation)
         quick = designation.letters.design in _QUICK
-        plain = None if quick else self._by_key.get(folded(designation.number))
+        plain = None if quick else self._known(folded(designation.number))
         if plain is not None and _same_angle(plain, designation):
             return Found(plain, designation)
         for key in (_snfa_key(designation), *(() if quick else designation.keys)):
-            if key in self._by_key:
-                return Found(self._by_key[key], designation)
+            if key in self._places:
+                return Found(self._named(key), designation)
         for number in designation.equivalents:
-            like = self._by_key.get(folded(number))
+            like = self._known(folded(number))
             if like is not None and (
                 designation.contact_angle is None or _same_angle(like, designation)
             ):
@@ -237,7 +250,7 @@ class Catalogue:
         if not is_built_in(bearing):
             return False
         designation = parse_designation(text)
-        plain = self._by_key.get(folded(designation.number))
+        plain = self._known(folded(designation.number))
         return plain is not None and plain is not bearing and _same_angle(plain, designation)
 
     def _own(self, bearing: CatalogueBearing, text: str) -> Found:
@@ -258,7 +271,7 @@ class Catalogue:
         for start in (0, 1) if before.parts else (0,):
             for end in range(len(groups) - 1 + start, start, -1):
                 key = folded("".join(groups[start:end]))
-                bearing = self._by_key.get(key)
+                bearing = self._known(key)
                 if bearing is None or key == folded(designation.number):
                     continue
                 alike = _same_angle(bearing, designation)
@@ -277,7 +290,7 @@ class Catalogue:
         bore, outside, *width = sizes
         return tuple(
             bearing
-            for bearing in self._by_key.values()
+            for bearing in map(self._named, self._places)
             if abs(bearing.bore - bore) < _ROUNDING
             and abs(bearing.outside_diameter - outside) < _ROUNDING
             and all(bearing.width and abs(bearing.width - size) < _ROUNDING for size in width)
@@ -363,9 +376,9 @@ class Catalogue:
         swapped = [
             wanted[:i] + wanted[i + 1] + wanted[i] + wanted[i + 2 :] for i in range(len(wanted) - 1)
         ]
-        alike = difflib.get_close_matches(wanted, self._by_key, n=_NEAREST, cutoff=0.6)
-        keys = dict.fromkeys([*(key for key in swapped if key in self._by_key), *alike])
-        return tuple(self._by_key[key].designation for key in list(keys)[:_NEAREST])
+        alike = difflib.get_close_matches(wanted, self._places, n=_NEAREST, cutoff=0.6)
+        keys = dict.fromkeys([*(key for key in swapped if key in self._places), *alike])
+        return tuple(self._named(key).designation for key in list(keys)[:_NEAREST])
 
 
 _asked: Final[ContextVar[Catalogue | None]] = ContextVar("_asked", default=None)
@@ -416,7 +429,7 @@ def catalogue_with(bearings: Sequence[CatalogueBearing]) -> Catalogue:
 
 def is_built_in(bearing: CatalogueBearing) -> bool:
     """Return whether a bearing is one of the built-in catalogue's."""
-    return built_in_catalogue()._by_key.get(folded(bearing.designation)) is bearing
+    return built_in_catalogue()._known(folded(bearing.designation)) is bearing
 
 
 @contextmanager
@@ -443,11 +456,9 @@ def _with(known: Catalogue, bearings: tuple[CatalogueBearing, ...]) -> Catalogue
 def built_in_catalogue() -> Catalogue:
     """Return the catalogue that comes with the package."""
     folder = resources.files("rolamento") / "data" / "catalogue"
-    files = sorted(
-        (file for file in folder.iterdir() if file.name.endswith(".csv")), key=lambda f: f.name
-    )
-    found = [own_records(file.read_text(encoding="utf-8"), file.name) for file in files]
-    return Catalogue(tuple(bearing for bearings in found for bearing in bearings))
+    files = {file.name: file for file in folder.iterdir() if file.name.endswith(".csv")}
+    own = OwnRecords({name: files[name].read_text(encoding="utf-8") for name in sorted(files)})
+    return Catalogue(own, each_folded(own.designations))
 
 
 def _same_angle(bearing: CatalogueBearing, designation: Designation) -> bool:

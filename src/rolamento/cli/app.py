@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import atexit
 import gc
+import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from itertools import chain
 from typing import Annotated, Any, Final
 
 import typer
@@ -17,25 +17,76 @@ from typer.models import TyperInfo
 
 import rolamento
 from rolamento.cli.common import SOLVED, WRONG_INPUT, plain_endings
-from rolamento.cli.grouped_help import GroupedCommands, Groups
+from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import end_of_output, print_text
+from rolamento.words import marked, said
 
-COMMANDS: Final[Groups] = {
-    "To start with": ("demo", "app", "new", "examples", "warm"),
-    "Inside the bearing": ("solve", "turn", "friction", "heat", "static", "electrical", "report"),
-    "The machine around it": ("shaft", "rotor", "import", "export"),
-    "Life and life tests": (
-        *("service-life", "life", "oscillation", "weibull", "weibull-plan", "replace", "trend"),
-    ),
-    "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
-    "Catalogue and clearance": ("catalogue", "clearance", "speed"),
-    "Lubrication": ("grease", "oil"),
-    "Studies and figures": ("sweep", "tolerance", "seek", "plot"),
-    "Verification": ("verify", "reproduce"),
+COMMANDS: Final[Mapping[str, Mapping[str, str]]] = {
+    "To start with": {
+        "demo": marked("Solve the shipped example, and suggest what to try next."),
+        "app": marked("Open the app in the browser."),
+        "new": marked("Write a commented case file to start from."),
+        "examples": marked("List the shipped examples, or copy one or all of them."),
+        "warm": marked("Compile the solver for this machine, once."),
+    },
+    "Inside the bearing": {
+        "solve": marked("Show the internal state of a bearing under its duty."),
+        "turn": marked("Show what varies while the cage turns by one pitch."),
+        "friction": marked("Show the friction torque by every model."),
+        "heat": marked("Show how warm a bearing runs, and what becomes of its preload."),
+        "static": marked("Show static safety, launch loads, gaps and hardness."),
+        "electrical": marked("Show a bearing as a capacitor: current, field, breakdown."),
+        "report": marked("Write a calculation report to sign, of one case or several."),
+    },
+    "The machine around it": {
+        "shaft": marked("Show loads, tilts and lives of the bearings on shafts."),
+        "rotor": marked("Show natural frequencies and critical speeds of shafts."),
+        "import": marked("Make a machine file of a REXS model."),
+        "export": marked("Write a machine or its bearings for another program."),
+    },
+    "Life and life tests": {
+        "service-life": marked("Show what ends a bearing first: fatigue, grease or another."),
+        "life": marked("Show the life by every theory, and what would help."),
+        "oscillation": marked("Show the life of a bearing that swings instead of turning."),
+        "weibull": marked("Fit a Weibull distribution to a life test, with bounds."),
+        "weibull-plan": marked("Plan a life test: bearings, time, failures."),
+        "replace": marked("Plan to keep or to replace bearings."),
+        "trend": marked("Show what changed in operation, and when it reaches a limit."),
+    },
+    "Vibration": {
+        "frequencies": marked("Show the fault frequencies of a bearing, also under load."),
+        "diagnose": marked("Diagnose damaged parts of a bearing from a vibration signal."),
+        "severity": marked("Show the vibration severity in mm/s and its zone."),
+        "synthesise": marked("Make a vibration signal of a bearing with known damage."),
+        "anderon": marked("Show the noise in anderons and µm/s, and whether it passes."),
+    },
+    "Catalogue and clearance": {
+        "catalogue": marked("Search bearings, and show the internal geometry of one."),
+        "clearance": marked("Show the clearance in operation, and the preload of a set."),
+        "speed": marked("Show how fast a bearing may run, and the load that it needs."),
+    },
+    "Lubrication": {
+        "grease": marked("Show how long a grease lives, and which one to take."),
+        "oil": marked("Show which ISO viscosity grade gives a wanted κ."),
+    },
+    "Studies and figures": {
+        "sweep": marked("Solve many cases: ranges of fields, or random draws."),
+        "tolerance": marked("Show percentiles of a study, and which inputs matter."),
+        "seek": marked("Solve for the input that gives an output its value."),
+        "plot": marked("Draw a state, its life or a study; several share a figure."),
+    },
+    "Verification": {
+        "verify": marked("Compare the program with published numbers."),
+        "reproduce": marked("Reproduce every figure and table of a publication."),
+    },
 }
-"""What a person wants, and the commands for it: in the help, the front pages and the guide."""
+"""What a person wants, and the commands for it: in the help, the front pages and the guide.
 
+Each with the first line of its own help, so that the list imports none of them.
+"""
+
+_LINES: Final = {name: line for lines in COMMANDS.values() for name, line in lines.items()}
 
 _MODULES: Final = {
     "app": "browser", "demo": "solve", "examples": "new", "import": "exchange",
@@ -72,13 +123,13 @@ class _Commands(Mapping[str, Any]):
         return _command(name)
 
     def __contains__(self, name: object) -> bool:
-        return any(name in names for names in COMMANDS.values())
+        return name in _LINES
 
     def __iter__(self) -> Iterator[str]:
-        return chain.from_iterable(COMMANDS.values())
+        return iter(_LINES)
 
     def __len__(self) -> int:
-        return sum(map(len, COMMANDS.values()))
+        return len(_LINES)
 
 
 @cache
@@ -108,6 +159,10 @@ class Program(GroupedCommands):
         super().__init__(**given)
         self.commands = _Commands()  # type: ignore[assignment]  # of which nobody takes one away
 
+    def line_of(self, name: str) -> str:
+        """Return what a command does, in one line; its module is not imported for it."""
+        return said(_LINES[name])
+
 
 app = typer.Typer(
     cls=Program,
@@ -124,6 +179,7 @@ app = typer.Typer(
 def main() -> None:
     """Run the command line."""
     gc.set_threshold(_LITTLE_GARBAGE)
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "1")  # else all that is installed is searched
     atexit.register(gc.freeze)  # at the end all memory is given back: nobody has to search it
     try:
         app(prog_name="rolamento")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, ClassVar, Final, TypeVar, get_args
 
 import typer.core
@@ -18,7 +18,7 @@ from rolamento.words import language_asked, marked, said, said_in, speaking
 
 __all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand", "unwrapped"]
 
-Groups = Mapping[str, tuple[str, ...]]
+Groups = Mapping[str, Collection[str]]
 """Headings, in their order, and the names below each."""
 
 METAVAR: Final = "metavar"
@@ -141,7 +141,7 @@ class GroupedCommands(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Return the names, in the order of the groups."""
-        known = super().list_commands(ctx)
+        known = list(self.commands)
         named = [name for names in self.groups.values() for name in names]
         ordered = [name for name in named if name in known]
         return ordered + [name for name in known if name not in named]
@@ -156,12 +156,12 @@ class GroupedCommands(TyperGroup):
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the options, and the commands below their headings."""
-        commands: dict[str, tuple[str, str]] = {}
-        for name in self.list_commands(ctx):
-            command = self.get_command(ctx, name)
-            if command is not None and not command.hidden:
-                commands[name] = name, _spoken(command).get_short_help_str(_LONGEST)
+        commands = {name: (name, self.line_of(name)) for name in self.list_commands(ctx)}
         _write_options(self, ctx, formatter, _grouped(commands, self.groups, marked("Commands")))
+
+    def line_of(self, name: str) -> str:
+        """Return what a command does, in one line."""
+        return str(_spoken(self.commands[name]).get_short_help_str(_LONGEST))
 
 
 def unwrapped(text: str) -> str:
@@ -177,7 +177,8 @@ def _spoken(shown: C) -> C:
     copied: Any = copy.copy(shown)
     for name in ("help", "epilog"):
         if getattr(copied, name, None):
-            setattr(copied, name, said(unwrapped(getattr(copied, name))))
+            paragraphs = unwrapped(getattr(copied, name)).split("\n\n")
+            setattr(copied, name, "\n\n".join(map(said, paragraphs)))
     if getattr(copied, "metavar", None):
         copied.metavar = said_in(METAVAR, copied.metavar)
     return copied  # type: ignore[no-any-return]

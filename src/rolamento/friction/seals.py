@@ -37,7 +37,7 @@ from rolamento.errors import InputError
 from rolamento.friction.machine import bearings_of
 from rolamento.friction.model import relative_speed
 from rolamento.io.data import toml_of
-from rolamento.lubrication.film_thickness import BEARING_TYPE
+from rolamento.lubrication.film_thickness import spreading_factor
 from rolamento.lubrication.films import Film
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen, span
@@ -164,7 +164,7 @@ def drag_moment(
     level = min(1e3 * oil_level, _HIGHEST * mean)
     if level <= 0.0:
         return np.asarray(0.0 * n * nu)
-    spread = BEARING_TYPE[kind] * (d + outside) / (outside - d)
+    spread = spreading_factor(kind) * (d + outside) / (outside - d)
     long = data["K_L"].get(kind)
     volume = float(
         np.interp(level / mean, data["level"], data["ball" if long is None else "roller"])

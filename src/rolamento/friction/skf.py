@@ -89,10 +89,10 @@ from rolamento.friction.model import (
 )
 from rolamento.io.data import toml_of
 from rolamento.lubrication.film_thickness import (
-    BEARING_TYPE,
     REPLENISHMENT,
     replenishment,
     skf_inlet_heating,
+    spreading_factor,
 )
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -191,7 +191,7 @@ def _of_row(kind: str, row: Mapping[str, Any]) -> SkfConstants:
         row.get("S3", 0.0),
         row.get("R4", 0.0),
         row.get("S4", 0.0),
-        BEARING_TYPE[kind],
+        spreading_factor(kind),
         None if angle is None else radians(angle),
     )
 

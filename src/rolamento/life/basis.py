@@ -50,7 +50,6 @@ from rolamento.life.row_ratings import (
     row_kinds,
     within_rating,
 )
-from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
@@ -611,6 +610,8 @@ def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> Fl
     if given.viscosity is None:
         return None
     viscosity = over_cases(given.viscosity, "viscosity", cases)
+    from rolamento.lubrication.oil_state import viscosity_ratio
+
     ratio = viscosity_ratio(viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter)
     return np.asarray(ratio.min(axis=1))
 

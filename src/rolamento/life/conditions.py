@@ -26,7 +26,6 @@ from rolamento.life.hybrid import static_share
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Depth
 from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
-from rolamento.lubrication.oil_state import oil_state
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Solved
@@ -291,6 +290,8 @@ def with_lubricant(conditions: LifeConditions, source: Case | Solved) -> LifeCon
     kelvin = np.asarray(warm, dtype=np.float64)
     filled: dict[str, Any] = {}
     if conditions.viscosity is None and conditions.viscosity_ratio is None:
+        from rolamento.lubrication.oil_state import oil_state
+
         filled["viscosity"] = oil_state(case.lubricant, kelvin).kinematic_viscosity
     if conditions.temperature is None:
         filled["temperature"] = kelvin

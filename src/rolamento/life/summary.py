@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, Final
 
@@ -22,6 +22,7 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import Ratings
 from rolamento.life.theories import THEORIES
+from rolamento.life.theory import Theory
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen, span
 from rolamento.solution import solve
@@ -71,7 +72,8 @@ class LifeSummary:
     Attributes
     ----------
     theories
-        by their names in `theories.THEORIES`, in that order; those that were asked for
+        by their names in `theories.THEORIES`, in that order; those that were asked for. One that
+        takes milliseconds is evaluated when it is first looked up
     ratings
         C, C_0 and C_u, N
     loads
@@ -268,6 +270,37 @@ class LifeSummary:
         }
 
 
+class _Lives(Mapping[str, Life]):
+    """Lives by theories; one that takes milliseconds is evaluated when it is first asked for."""
+
+    def __init__(self, basis: Basis, asked: Iterable[Theory]) -> None:
+        self._basis = basis
+        self._lives = {one.name: None if one.slow else self._life(one) for one in asked}
+
+    def _life(self, theory: Theory) -> Life:
+        if theory.of_balls and self._basis.has_rollers:
+            return self._basis.refused(theory.name, "theory_of_balls")
+        return theory.evaluate(self._basis)
+
+    def __getitem__(self, name: str) -> Life:
+        found = self._lives[name]
+        if found is None:
+            found = self._lives[name] = self._life(THEORIES[name])
+        return found
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._lives
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._lives)
+
+    def __len__(self) -> int:
+        return len(self._lives)
+
+    def __reduce__(self) -> Any:
+        return dict, (dict(self),)  # as it travels: all evaluated, without what that takes
+
+
 def life(
     solved: Solved,
     conditions: LifeConditions | None = None,
@@ -302,15 +335,8 @@ def life(
     given = conditions_of(solved) if conditions is None else conditions
     slow = len(solved) == 1 if stress_volume is None else stress_volume
     basis = Basis.of(solved, given)
-    theories = {
-        name: (
-            basis.refused(name, "theory_of_balls")
-            if theory.of_balls and basis.has_rollers
-            else theory.evaluate(basis)
-        )
-        for name, theory in THEORIES.items()
-        if theory.asked(basis) and (slow or not theory.slow)
-    }
+    asked = (one for one in THEORIES.values() if one.asked(basis) and (slow or not one.slow))
+    theories = _Lives(basis, asked)
     modified = theories.get(iso16281_modified.THEORY.name)
     return LifeSummary(
         theories=theories,

@@ -41,9 +41,16 @@ REPLENISHMENT: Final[dict[Supply, float]] = {
     "oil_air": 6e-8,
 }
 """K_rs by the way of lubrication. SKF, General catalogue (2018), frictional moment."""
-BEARING_TYPE: Final[dict[str, float]] = toml_of("skf_friction")["K_Z"]
-"""K_z by kind of bearing. As above; SKF has none of needle roller bearings, which take that of
-cylindrical ones."""
+
+
+def spreading_factor(kind: str) -> float:
+    """Return K_z of a kind of bearing.
+
+    SKF, General catalogue (2018), frictional moment; it has none of needle roller bearings, which
+    take that of cylindrical ones.
+    """
+    return float(toml_of("skf_friction")["K_Z"][kind])
+
 
 _RPM: Final = 30.0 / np.pi
 
@@ -295,7 +302,7 @@ def replenishment(
     speed : array, of the rings against each other; rad/s.
     bore, outside_diameter : arrays; m.
     supply : way of lubrication, a key of `REPLENISHMENT`.
-    kind : of bearing, a key of `BEARING_TYPE`, or its K_z.
+    kind : of bearing, as SKF names it, or its K_z.
 
     Returns
     -------
@@ -307,7 +314,7 @@ def replenishment(
     outside = 1e3 * in_reach(outside_diameter, "outside_diameter", "m", 0.0, 1e3)
     if np.any(outside <= d):
         raise InputError(said("must be greater than the bore diameter"), field="outside_diameter")
-    spreading = BEARING_TYPE[kind] if isinstance(kind, str) else kind
+    spreading = spreading_factor(kind) if isinstance(kind, str) else kind
     nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
     omega = in_reach(speed, "speed", "rad/s", 0.0, 1e9)
     flow = nu * omega * 1e6 * _RPM

@@ -12,7 +12,6 @@ and starts no process.
 from __future__ import annotations
 
 import atexit
-import logging
 import os
 import subprocess
 import sys
@@ -29,7 +28,6 @@ from rolamento.words import said
 
 __all__ = ["LOW", "alone", "begin", "compile_beside", "compiles_here", "has_begun"]
 
-_log = logging.getLogger("rolamento")
 
 VARIABLE: Final = "ROLAMENTO_COMPILE"
 HERE: Final = "here"
@@ -59,7 +57,9 @@ def compile_beside() -> bool:
         _process.append(_started())
     except OSError:  # no interpreter to be found, or no more processes
         return False
-    _log.warning(
+    import logging
+
+    logging.getLogger("rolamento").warning(
         said(
             "compiling the solver for this machine in the background, once: until it is ready, "
             "many cases take longer"

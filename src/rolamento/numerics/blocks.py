@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, is_dataclass
 from functools import partial
-from typing import Any, Final, Protocol, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Final, Protocol, Self, TypeVar
 
 import numpy as np
 
 from rolamento.numerics.threads import thread_count
+
+if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
 
 __all__ = ["BLOCK", "in_blocks", "joined"]
 
@@ -48,6 +50,8 @@ def in_blocks(function: Callable[[C], R], cases: C, threads: int | None = None) 
     parts = [slice(first, first + BLOCK) for first in range(0, len(cases), BLOCK)]
     if count == 1:
         return joined([function(cases[part]) for part in parts])
+    from concurrent.futures import ThreadPoolExecutor
+
     with ThreadPoolExecutor(min(count, len(parts))) as pool:
         return joined(list(pool.map(lambda part: function(cases[part]), parts)), pool)
 

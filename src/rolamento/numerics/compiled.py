@@ -17,7 +17,6 @@ In a formula that is of numbers and of arrays (`numerics.elementwise`) `choose` 
 from __future__ import annotations
 
 import io
-import logging
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -35,8 +34,6 @@ from rolamento.numerics.trust import is_trusted
 
 P = ParamSpec("P")
 R = TypeVar("R")
-
-_log = logging.getLogger("rolamento")
 
 _DIGEST = sha256().digest_size
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
@@ -320,9 +317,9 @@ def _checked_cache() -> Any:
                 with self._guard_against_spurious_io_errors():
                     return self._load_overload(sig, target_context)
             except Exception:  # whatever the bytes led to
-                _log.warning(
-                    "the compiled solver that is kept in %s is damaged: compiling it anew",
-                    self.cache_path,
+                _warn(
+                    f"the compiled solver that is kept in {self.cache_path} is damaged:"
+                    " compiling it anew"
                 )
                 self._discard()
                 return None
@@ -356,9 +353,13 @@ def _check(path: str) -> None:
         raise ValueError(path)
 
 
-@cache
-def _tell_once(message: str) -> None:
-    _log.warning(message)
+def _warn(message: str) -> None:
+    import logging
+
+    logging.getLogger("rolamento").warning("%s", message)
+
+
+_tell_once = cache(_warn)
 
 
 @cache

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import logging
 import operator
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from threading import Lock
 from time import perf_counter, sleep
@@ -20,8 +18,6 @@ from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
 
 __all__ = ["goes_plainly", "ready", "share_out", "side_by_side", "thread_count"]
-
-_log = logging.getLogger("rolamento")
 
 LOADING: Final = 0.5
 """Seconds of plain Python in this process after which the compiler is worth loading."""
@@ -133,7 +129,10 @@ def ready(kernel: Kernel[P, R]) -> Callable[P, R]:
 
 @cache
 def _say_that_it_takes_a_while() -> None:
-    _log.warning(said("compiling the solver for this machine, once: this takes one or two minutes"))
+    import logging
+
+    message = said("compiling the solver for this machine, once: this takes one or two minutes")
+    logging.getLogger("rolamento").warning(message)
 
 
 def side_by_side(
@@ -147,5 +146,7 @@ def side_by_side(
     workers = min(thread_count(threads), len(items))
     if workers <= 1:
         return [function(item) for item in items]
+    from concurrent.futures import ThreadPoolExecutor
+
     with ThreadPoolExecutor(workers) as pool:
         return list(pool.map(function, items))

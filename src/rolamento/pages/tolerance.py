@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import isclose
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.case.labels import label_of
 from rolamento.charts import Axis, Chart, Line, Look, Mark, Spread, nothing
 from rolamento.charts.axes_units import PERCENT, ReadableUnit, readable_unit
@@ -17,7 +18,6 @@ from rolamento.document import (
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Section,
     Statement,
@@ -25,6 +25,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.errors import InputError
+from rolamento.pages.given import picture
 from rolamento.pages.life import LONGEST_LIFE, hours_text
 from rolamento.pages.study import in_row
 from rolamento.studies.outputs import catalogue
@@ -32,9 +33,6 @@ from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, Tolera
 from rolamento.studies.tolerance import Samples, ToleranceBand, histogram, varies
 from rolamento.words import ABSENT, UNITS, manner, said
 from rolamento.words.reasons import reason
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
 
 __all__ = ["MOST_POINTS", "distribution_chart", "tolerance_page", "tolerance_summary"]
 
@@ -84,14 +82,8 @@ def tolerance_page(study: ToleranceStudy) -> Document:
     if study.sobol is not None:
         sections.append(_sobol(study.sobol))
     if study.ranks is not None and not any(points):
-
-        def draw() -> Picture:
-            from rolamento.plots.tolerance import tolerance_figure
-
-            return tolerance_figure(study)
-
         caption = said("Distributions of the outputs, and the inputs that move them")
-        sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="tolerance"),)))
+        sections.append(picture(caption, lambda: plots.tolerance_figure(study), "tolerance", ""))
     return Document(title, tuple(sections), "tolerance")
 
 
@@ -278,14 +270,14 @@ def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> Sectio
     heads = {f"percentile_{i}": f"{manner().short(percentiles[i], 6)} %" for i in shown}
     heads["standard_deviation"] = said("std. dev.")
     columns = (
-        Column(head="", key="output", values=names),
+        Column("", names, "output"),
         *(
-            Column(head=head, key=key, values=values, align="right")
+            Column(head, values, key, align="right")
             for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
-        Column(head="", key="unit", values=units, align="left"),
+        Column("", units, "unit", align="left"),
     )
-    table = Table(columns=columns, key=f"percentiles{suffix}")
+    table = Table(columns, f"percentiles{suffix}")
     return Section(said("Percentiles of the outputs"), (table,), f"percentiles{suffix}")
 
 
@@ -327,14 +319,14 @@ def _ranks(
     )
     inputs, numbers, lows, highs, bars = zip(*rows, strict=True)
     columns = (
-        Column(head="", key="input", values=inputs),
-        Column(head="", key="correlation", values=numbers, form=".2f", tone="strong"),
-        Column(head=said("from"), key="low", values=lows, form=".2f", tone="faint"),
-        Column(head=said("to"), key="high", values=highs, form=".2f", tone="faint"),
-        Column(head="", key="bar", values=bars, bar=True),
+        Column("", inputs, "input"),
+        Column("", numbers, "correlation", form=".2f", tone="strong"),
+        Column(said("from"), lows, "low", form=".2f", tone="faint"),
+        Column(said("to"), highs, "high", form=".2f", tone="faint"),
+        Column("", bars, "bar", bar=True),
     )
     key = f"rank_correlation{suffix}"
-    return Section(heading, (Table(columns=columns, key=key, groups=tuple(groups)),), key)
+    return Section(heading, (Table(columns, key, groups=tuple(groups)),), key)
 
 
 def _sobol(found: SobolIndices) -> Section:
@@ -369,20 +361,20 @@ def _sobol(found: SobolIndices) -> Section:
     }
     inputs, *numbers_, bars = zip(*rows, strict=True)
     columns = (
-        Column(head="", key="input", values=inputs),
+        Column("", inputs, "input"),
         *(
             Column(
-                head=head,
-                key=key,
-                values=values,
+                head,
+                values,
+                key,
                 form=".2f",
                 tone="strong" if key in ("first_order", "total") else "faint",
             )
             for (key, head), values in zip(heads.items(), numbers_, strict=True)
         ),
-        Column(head="", key="bar", values=bars, bar=True),
+        Column("", bars, "bar", bar=True),
     )
-    table = Table(columns=columns, key="sobol", groups=tuple(groups))
+    table = Table(columns, "sobol", groups=tuple(groups))
     return Section(heading, (table,), "sobol")
 
 

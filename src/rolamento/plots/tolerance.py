@@ -85,12 +85,7 @@ def tolerance_figure(study: ToleranceStudy) -> Figure:
     return figure
 
 
-def _distribution(
-    axes: Axes,
-    values: Floats,
-    bands: ToleranceBands,
-    band: ToleranceBand,
-) -> None:
+def _distribution(axes: Axes, values: Floats, bands: ToleranceBands, band: ToleranceBand) -> None:
     axes.set_title(shown_text(_name(band.name, band.long_name), 60), loc="left", parse_math=False)
     there = values[np.isfinite(values)]
     if not there.size:

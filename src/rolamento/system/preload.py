@@ -37,14 +37,16 @@ ROUNDS: Final = 40
 ROUNDS_OUT: Final = 8
 """Largest number of the rounds outward; where the grip flattens out as the load grows, they never
 arrive."""
-STRIDE: Final = 1.5
+STRIDE: Final = 4.0
+"""Times the multiple so far: what a round outward tries where no line loses contact."""
 FURTHEST: Final = 1e3
 """Times the multiple so far: the most that a round goes outward."""
-_AHEAD: Final = np.array([0.5, 0.8, 1.02, 1.5, 2.5])
-"""Fractions of the way to where a straight line loses contact: what a round outward tries."""
+_AHEAD: Final = (1.02, 1.1, 1.5)
+"""Fractions of the way to where a straight line loses contact: of the first rounds outward."""
+FAR_AHEAD: Final = 2.5
+"""The same of later ones."""
 MUCH_HEAVIER: Final = 10.0
 """Times the force without external load: what is left of the preload under it is little."""
-_BETWEEN: Final = np.arange(1.0, 6.0) / 6.0
 
 _SPEEDS: Final = ("duty.inner_speed", "duty.outer_speed")
 _NONE: Final = -1
@@ -195,13 +197,17 @@ class _Given:
         start
             Where the ring probably rests; (some, 5), NaN where that is not known.
         """
-        values = {name: array[some] for name, array in self.values.items()}
+        # what two searches look at is solved once
+        pairs = np.stack([factor, some])
+        _, once, each = np.unique(pairs, axis=1, return_index=True, return_inverse=True)
+        of = some[once]
+        values = {name: array[of] for name, array in self.values.items()}
         for name, load in self.loads.items():
-            values[f"duty.load.{name}"] = factor * load[some]
-        press = None if self.press is None else tuple(own[some] for own in self.press)
-        solved = _solved(self.case, values, press, start)
-        grip, starts = solved.answer.grip(), solved.rows.starts
-        grip = np.where(solved.converged[:, np.newaxis], grip, np.nan)
+            values[f"duty.load.{name}"] = factor[once] * load[of]
+        press = None if self.press is None else tuple(own[of] for own in self.press)
+        solved = _solved(self.case, values, press, start[once])
+        starts = solved.rows.starts
+        grip = np.where(solved.converged[:, np.newaxis], solved.answer.grip(), np.nan)[each]
         deep, shallow = np.maximum, np.minimum
         grips = np.where(
             deepest[:, np.newaxis],
@@ -209,7 +215,7 @@ class _Given:
             shallow.reduceat(grip, starts, axis=1),
         )
         heaviest = np.linalg.norm(solved.rows.load[:, :, :3], axis=2).max(axis=1)
-        return _Look(factor, grips, solved.displacement.array, heaviest)
+        return _Look(factor, grips, solved.displacement.array[each], heaviest[each])
 
 
 @dataclass(slots=True)
@@ -319,8 +325,8 @@ def _lost(given: _Given, cases: IntArray, deepest: BoolArray) -> Lost:
     cases: which case a search is of; deepest: whether it is for the deepest element of a row, with
     which the row loses all contact, or for the shallowest; (searches,) each.
 
-    All searches take a round together, each with some multiples of its load: outward until contact
-    is lost, then around where straight lines lose it.
+    All searches take a round together, each with a multiple of its load: outward until contact is
+    lost, then on either side of where straight lines lose it.
     """
     found = Lost(np.full(len(cases), np.nan), np.full(len(cases), _NONE))
     which = np.flatnonzero(given.loaded[cases])
@@ -329,7 +335,7 @@ def _lost(given: _Given, cases: IntArray, deepest: BoolArray) -> Lost:
     search = _Search(given, cases[which], deepest[which])
     search.run()
     lost = which[search.gripped][search.enclosed]
-    found.factor[lost] = search.zero(1, 2)[search.enclosed]
+    found.factor[lost] = search.loss[search.enclosed]
     found.row[lost] = np.argmin(search.grips[:, 2], axis=1)[search.enclosed]
     return found
 
@@ -398,8 +404,16 @@ class _Search:
             way = (self.factors[:, other] - self.factors[:, one]) / (near - far)
             return np.where(way > 0.0, self.factors[:, one] + near * way, np.inf)
 
+    @property
+    def loss(self) -> FloatArray:
+        """Where contact is lost: where the gap beyond, a straight line, closes; (searches,)."""
+        _, low, high, _ = self.factors.T
+        gap = self.zero(2, 3)
+        return np.where((low <= gap) & (gap <= high), gap, self.zero(1, 2))
+
     def run(self) -> None:
-        """Enclose the loss of contact, and bring the two together."""
+        """Enclose the loss of contact, and bring the two together: a multiple a round."""
+        width = before = np.full(len(self.factors), np.inf)
         for step in range(ROUNDS):
             _, low, high, _ = self.factors.T
             least = self.grips[:, 2].min(axis=1)
@@ -409,63 +423,59 @@ class _Search:
             some = np.flatnonzero(going & (lost | ~self._held_by_the_load()))
             if not len(some):
                 return
-            known = (lost & (step > 0))[:, np.newaxis]  # on either side
-            enclosed = np.where(known, self._around(), self._evenly())
-            probes = np.where(out[:, np.newaxis], self._outward(), enclosed)
-            self._take(some, probes[some], self._between(probes)[some])
+            slow = high - low > 0.5 * before  # than halving would be
+            probes = np.where(lost & ~slow, self._around(), self._half_way())
+            probes = np.where(out, self._outward(step), probes)
+            self._take(some, probes[some, np.newaxis], self._between(probes)[some])
+            width, before = np.where(lost, high - low, np.inf), width
 
-    def _outward(self) -> FloatArray:
-        """Multiples of the load beyond the third; (searches, multiples)."""
-        high, zero = self.factors[:, 2:3], self.zero(1, 2)[:, np.newaxis]
-        ahead = high + (np.minimum(zero, FURTHEST * high) - high) * _AHEAD
-        blind = high * STRIDE ** np.arange(1, 1 + len(_AHEAD))
-        return np.asarray(np.where(np.isfinite(zero), ahead, blind))
+    def _outward(self, step: int) -> FloatArray:
+        """A multiple of the load beyond the third: little beyond where a line loses contact."""
+        high, zero = self.factors[:, 2], self.zero(1, 2)
+        part = _AHEAD[step] if step < len(_AHEAD) else FAR_AHEAD
+        ahead = high + (np.minimum(zero, FURTHEST * high) - high) * part
+        return np.asarray(np.where(np.isfinite(zero), ahead, high * STRIDE))
 
-    def _evenly(self) -> FloatArray:
-        """Multiples of the load between the two, by ratios where they are far apart."""
-        low, high = self.factors[:, 1:2], self.factors[:, 2:3]
+    def _half_way(self) -> FloatArray:
+        """Between the two, by ratio where they are far apart."""
+        low, high = self.factors[:, 1], self.factors[:, 2]
         floor = np.maximum(low, high / FURTHEST)
-        by_ratio = floor * (high / floor) ** _BETWEEN
-        evenly = low + (high - low) * _BETWEEN
-        return np.asarray(np.where(high > 4.0 * floor, by_ratio, evenly))
+        return np.where(high > 4.0 * floor, np.sqrt(floor * high), 0.5 * (low + high))
 
     def _around(self) -> FloatArray:
-        """Where lines through neighbours come to zero, and as far aside as they differ; half way.
+        """Where lines come to zero, and half as far beyond as they differ, toward the farther end.
 
-        The grip itself is a straight line close to the loss; its power 3/2, as the load has it,
-        where centrifugal force has long taken over.
+        The grip is a straight line close to the loss, or its power 3/2, as a row's load has it.
         """
         _, low, high, _ = self.factors.T
-        zeros = np.stack([self.zero(0, 1), self.zero(1, 2), self.zero(2, 3)])
-        alone = ~np.isfinite(zeros[::2]).any(axis=0)
-        zeros = np.where(np.isfinite(zeros), zeros, zeros[1])
-        least, middle, most = np.sort(np.clip(zeros, low, high), axis=0)
-        apart = np.where(alone, 0.25 * (high - low), most - least)
-        aside = np.maximum(apart, 0.2 * PRECISION * high)
-        by_load = self.zero(0, 1, 1.5)
-        by_load = np.where(np.isfinite(by_load), by_load, least)
-        probes = [middle - aside, middle, middle + aside, by_load, 0.5 * (low + high)]
-        return np.asarray(np.clip(probes, low, high).T)
+        zeros = np.clip([self.zero(0, 1), self.zero(0, 1, 1.5), self.loss], low, high)
+        least, middle, most = np.sort(zeros, axis=0)
+        apart = np.minimum(middle - least, most - middle)
+        aside = np.maximum(0.5 * apart, 0.2 * PRECISION * high)
+        farther = np.where(high - middle > middle - low, 1.0, -1.0)
+        within = (low < middle) & (middle < high)
+        return np.where(within, np.clip(middle + farther * aside, low, high), self._half_way())
 
     def _between(self, probes: FloatArray) -> FloatArray:
-        """Where the ring rests at multiples if it moves in proportion; (searches, multiples, 5)."""
+        """Where the ring rests at a multiple if it moves in proportion; (searches, 1, 5)."""
         unbalanced = np.isnan(self.seen.place[:, 2]).any(axis=1)
         every, last = np.arange(len(probes)), np.where(unbalanced, 1, 2)
         near, far = self.seen.some((every, last - 1)), self.seen.some((every, last))
-        way = (far.factor - near.factor)[:, np.newaxis]
-        moved = (far.place - near.place)[:, np.newaxis]
         with np.errstate(divide="ignore", invalid="ignore"):
-            part = (probes - near.factor[:, np.newaxis]) / way
-            return np.asarray(near.place[:, np.newaxis] + part[..., np.newaxis] * moved)
+            part = (probes - near.factor) / (far.factor - near.factor)
+            place = near.place + part[:, np.newaxis] * (far.place - near.place)
+            return np.asarray(place[:, np.newaxis])
 
     def _take(self, some: IntArray, probes: FloatArray, start: FloatArray) -> None:
         """Look at multiples of the load, (some, multiples), and keep the four around the loss."""
         found = self._look(probes, self._cases[some], self._deepest[some], start)
         seen = self.seen.some(some).beside(found)
-        order = np.argsort(seen.factor, axis=1, kind="stable")
-        rows, last = np.arange(len(some))[:, np.newaxis], order.shape[1] - 1
-        seen = seen.some((rows, order))
+        rows = np.arange(len(some))[:, np.newaxis]
+        seen = seen.some((rows, np.argsort(seen.factor, axis=1, kind="stable")))
+        again = np.diff(seen.factor, axis=1, prepend=-1.0) == 0.0  # goes behind the others
+        seen = seen.some((rows, np.argsort(again, axis=1, kind="stable")))
+        last = np.count_nonzero(~again, axis=1)[:, np.newaxis] - 1
         gone = ~(seen.grips.min(axis=2) > 0.0)
-        first = np.where(gone.any(axis=1), gone.argmax(axis=1), last)[:, np.newaxis]
+        first = np.where(gone.any(axis=1, keepdims=True), gone.argmax(axis=1)[:, np.newaxis], last)
         kept = np.clip(first + np.arange(-2, 2), 0, last)
         self.seen.put(some, seen.some((rows, kept)))

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar, Final
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import numpy as np
 
 from rolamento.case import Case, case_of
-from rolamento.charts.axes_units import si_value
 from rolamento.errors import InputError
 from rolamento.io.json import plain
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.studies.fields import Field, read_field
-from rolamento.studies.outputs import Output
-from rolamento.tasks.curve import Curve, Scale, bounds_of, curve_over
 from rolamento.tasks.parameters import Progress, quietly
-from rolamento.tasks.report import number_of_field
 from rolamento.tasks.request import PICTURE, Input, Product, Request
 from rolamento.words import Note, marked, said
+
+if TYPE_CHECKING:
+    from rolamento.studies.fields import Field
+    from rolamento.studies.outputs import Output
+    from rolamento.tasks.curve import Curve, Scale
 
 __all__ = ["Goal", "GoalSeek"]
 
@@ -184,6 +184,9 @@ class GoalSeek(Request):
             If the case cannot be read, the field takes no range, there is no such output, or the
             value is none of its unit.
         """
+        from rolamento.charts.axes_units import si_value
+        from rolamento.tasks.curve import curve_over
+
         case = case_of(self.case, self.changes)
         name, first, last = _range_of(self.vary)
         output, value = self._goal()
@@ -210,6 +213,10 @@ class GoalSeek(Request):
         self, case: Case, name: str, first: str | None, last: str | None
     ) -> Iterator[tuple[Any, Any, Scale]]:
         """Yield where to look: in the range that is given, or ever wider around the value."""
+        from rolamento.studies.fields import read_field
+        from rolamento.tasks.curve import bounds_of
+        from rolamento.tasks.report import number_of_field
+
         yield first, last, "log" if self.log else "linear"
         own = number_of_field(case, name)
         if first is not None or not own or own < 0.0:
@@ -270,6 +277,8 @@ def _crossed(values: FloatArray, over: FloatArray) -> list[tuple[float, float]]:
 
 def _closed_in(curve: Curve, target: float, low: float, high: float) -> tuple[float, bool]:
     """Return where a curve has the target between two values, and whether it jumps over it."""
+    from rolamento.tasks.curve import curve_over
+
     if low == high:
         return low, False
     at = low

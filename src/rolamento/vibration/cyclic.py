@@ -32,7 +32,7 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -108,7 +108,7 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     if len(samples) < 32 * window:
         rule = said("must be at least {window}, 32 windows", window=32 * window)
         raise InputError(rule, field=marked("number of samples"), value=len(samples))
-    modulations = int(highest * fft.next_fast_len(blocks) * step / rate) + 1
+    modulations = int(highest * scipy.fft.next_fast_len(blocks) * step / rate) + 1
     carriers = window // 2 + 1
     if modulations * carriers > _MOST_VALUES or blocks * carriers > 4 * _MOST_VALUES:
         raise InputError(
@@ -127,7 +127,7 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
     taper = get_window("hann", window)
     centred = samples - np.mean(samples)
     transform = _short_time(centred, taper, step, blocks)
-    size = fft.next_fast_len(blocks)
+    size = scipy.fft.next_fast_len(blocks)
     modulation = axis_of(modulations, rate / (size * step))
     least = _ROUNDING * float(np.max(np.abs(samples))) ** 2 * float(np.sum(np.square(taper)))
     return CyclicCoherence(
@@ -171,7 +171,7 @@ def _short_time(samples: FloatArray, taper: FloatArray, step: int, blocks: int) 
     """Transforms of consecutive windows, each counting time from its middle; (lines, blocks)."""
     window = len(taper)
     views = np.lib.stride_tricks.sliding_window_view(samples, window)[::step][:blocks]
-    transform = np.ascontiguousarray(np.asarray(fft.rfft(views * taper, axis=1)).T)
+    transform = np.ascontiguousarray(np.asarray(scipy.fft.rfft(views * taper, axis=1)).T)
     transform[1::2] *= -1.0
     return transform
 
@@ -224,7 +224,7 @@ def _correlated(transform: ComplexArray, reach: FloatArray, size: int) -> Comple
             lower = slice(upper.start - apart, last - apart)
             some = product[: last - upper.start]
             np.multiply(transform[upper], np.conj(transform[lower]), out=some[:, :blocks])
-            scan = fft.fft(some, axis=1)[:, near[apart]]
+            scan = scipy.fft.fft(some, axis=1)[:, near[apart]]
             total[upper, near[apart]] += reach[apart, near[apart]] / blocks * scan
     return total
 

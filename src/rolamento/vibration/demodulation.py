@@ -46,8 +46,8 @@ from math import log2, sqrt
 from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -87,12 +87,12 @@ def analytic_signal(signal: Signal, band: Band | None = None) -> ComplexArray:
     count = len(signal.samples)
     edges = (0.0, 0.5 * signal.rate) if band is None else checked_band(band, signal.rate)
     first, last = _lines(edges, signal.rate, count)
-    spectrum = np.asarray(fft.rfft(signal.samples))
+    spectrum = np.asarray(scipy.fft.rfft(signal.samples))
     one_sided = np.zeros(count, dtype=np.complex128)
     one_sided[first:last] = 2.0 * spectrum[first:last]
     if count % 2 == 0 and last > count // 2:
         one_sided[count // 2] *= 0.5
-    return np.asarray(fft.ifft(one_sided, overwrite_x=True))
+    return np.asarray(scipy.fft.ifft(one_sided, overwrite_x=True))
 
 
 def envelope(signal: Signal, band: Band | None = None) -> Signal:
@@ -182,12 +182,12 @@ def prewhitened(signal: Signal) -> Signal:
     """
     require_samples(signal, 4, marked("pre-whitening"))
     count = len(signal.samples)
-    spectrum = np.asarray(fft.rfft(signal.samples))
+    spectrum = np.asarray(scipy.fft.rfft(signal.samples))
     spectrum[0] = 0.0
     size = np.abs(spectrum)
     present = size > 0.0
     spectrum[present] /= size[present]
-    white = fft.irfft(spectrum, count)
+    white = scipy.fft.irfft(spectrum, count)
     rms = float(np.sqrt(np.mean(np.square(white))))
     samples = white / rms if rms > 0.0 else white
     return Signal(samples, signal.rate, "unknown", "1", signal.speed, signal.title)

@@ -28,7 +28,7 @@ from math import nan
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy import ndimage, special
+import scipy
 
 from rolamento.numerics import FloatArray, IntArray
 
@@ -90,7 +90,7 @@ def running_medians(power: FloatArray) -> FloatArray:
             part = power[:, served[0] - reach : served[-1] + reach + 1]
             # one long row is much faster; where bands meet in it, nothing is used
             size = 2 * int(reach) + 1
-            found = ndimage.median_filter(part.ravel(), size=size, mode="nearest")
+            found = scipy.ndimage.median_filter(part.ravel(), size=size, mode="nearest")
             medians[:, served] = found.reshape(part.shape)[:, reach:-reach]
     return medians
 
@@ -194,7 +194,7 @@ def _looked_up(tables: Sequence[_Table], which: IntArray, at: FloatArray) -> Flo
 
 def mean_over_median(averages: int) -> float:
     """Mean of the power of noise lines over its median."""
-    return float(averages / special.gammaincinv(averages, 0.5))
+    return float(averages / scipy.special.gammaincinv(averages, 0.5))
 
 
 @cache
@@ -290,17 +290,17 @@ def _score(ratio: FloatArray, others: int, rank: int, count: int, averages: int)
         return np.asarray(np.sum(np.log1p(ratio[:, None] / left), axis=1))
     nodes, weights = _quadrature()
     above = others - rank
-    ends = special.betaincinv(rank, above + 1, np.array([_ENDS, 1.0 - _ENDS]))
-    low, high = special.gammaincinv(averages, ends)
+    ends = scipy.special.betaincinv(rank, above + 1, np.array([_ENDS, 1.0 - _ENDS]))
+    low, high = scipy.special.gammaincinv(averages, ends)
     x = low + (high - low) * nodes
-    u = special.gammainc(averages, x)
+    u = scipy.special.gammainc(averages, x)
     log_density = (
-        special.xlogy(rank - 1, u)
-        + special.xlog1py(above, -u)
-        - special.betaln(rank, above + 1)
-        + special.xlogy(averages - 1, x)
+        scipy.special.xlogy(rank - 1, u)
+        + scipy.special.xlog1py(above, -u)
+        - scipy.special.betaln(rank, above + 1)
+        + scipy.special.xlogy(averages - 1, x)
         - x
-        - special.gammaln(averages)
+        - scipy.special.gammaln(averages)
     )
     log_weight = np.log(weights * (high - low)) + log_density
     tails = log_gamma_tail(averages * count, count * ratio[:, None] * x[None]) + log_weight
@@ -322,14 +322,16 @@ def log_gamma_tail(shape: float, x: FloatArray) -> FloatArray:
     # 1/(x + 1 - a - (1 - a)/(x + 3 - a - 2 (2 - a)/(x + 5 - a)))
     last = far + 3.0 - shape - 2.0 * (2.0 - shape) / (far + 5.0 - shape)
     fraction = far + 1.0 - shape - (1.0 - shape) / last
-    found[is_far] = special.xlogy(shape, far) - far - special.gammaln(shape) - np.log(fraction)
+    found[is_far] = (
+        scipy.special.xlogy(shape, far) - far - scipy.special.gammaln(shape) - np.log(fraction)
+    )
     return found
 
 
 def _gamma_tail(shape: float, x: FloatArray) -> FloatArray:
     """Q(shape, x); of a small whole shape the quick sum e^-x Σ x^k/k!, NaN far out."""
     if shape > _FEW or shape != int(shape):
-        return np.asarray(special.gammaincc(shape, x))
+        return np.asarray(scipy.special.gammaincc(shape, x))
     series = np.ones_like(x)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         for term in range(int(shape) - 1, 0, -1):

@@ -12,7 +12,7 @@ from math import ceil, pi
 from typing import Final
 
 import numpy as np
-from scipy import fft, ndimage
+import scipy
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
@@ -175,7 +175,7 @@ def interpolated(samples: FloatArray, places: FloatArray) -> FloatArray:
     10⁵.
     """
     return np.asarray(
-        ndimage.map_coordinates(samples, places[np.newaxis], order=_SPLINE, mode="mirror")
+        scipy.ndimage.map_coordinates(samples, places[np.newaxis], order=_SPLINE, mode="mirror")
     )
 
 
@@ -204,6 +204,6 @@ def _turning(signal: Signal) -> FloatArray:
 
 
 def _low_passed(samples: FloatArray, rate: float, highest: float) -> FloatArray:
-    spectrum = fft.rfft(samples)
+    spectrum = scipy.fft.rfft(samples)
     spectrum[int(highest * len(samples) / rate) + 1 :] = 0.0
-    return np.asarray(fft.irfft(spectrum, len(samples)))
+    return np.asarray(scipy.fft.irfft(spectrum, len(samples)))

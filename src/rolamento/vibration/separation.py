@@ -20,7 +20,7 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -106,7 +106,7 @@ def separate(
     return Separation(
         discrete=replace(signal, samples=discrete),
         random=replace(signal, samples=signal.samples - discrete),
-        frequency=np.asarray(fft.rfftfreq(size, 1.0 / signal.rate)),
+        frequency=np.asarray(scipy.fft.rfftfreq(size, 1.0 / signal.rate)),
         gain=np.abs(gain),
         block=size,
         delay=lag,
@@ -135,8 +135,8 @@ def _gain_of_lines(samples: FloatArray, size: int, delay: int, false_alarm: floa
     cross = np.zeros(size // 2 + 1, dtype=np.complex128)
     power, power_before = np.zeros(size // 2 + 1), np.zeros(size // 2 + 1)
     for start in starts:
-        now = fft.rfft(window * samples[start : start + size])
-        before = fft.rfft(window * samples[start - delay : start - delay + size])
+        now = scipy.fft.rfft(window * samples[start : start + size])
+        before = scipy.fft.rfft(window * samples[start - delay : start - delay + size])
         cross += np.conj(before) * now
         power += np.square(np.abs(now))
         power_before += np.square(np.abs(before))
@@ -161,7 +161,9 @@ def _predicted(samples: FloatArray, size: int, delay: int, gain: ComplexArray) -
             continue
         source = start + step
         filtered = gain if step < 0 else np.conj(gain)
-        block = fft.irfft(filtered * fft.rfft(window * samples[source : source + size]), size)
+        block = scipy.fft.irfft(
+            filtered * scipy.fft.rfft(window * samples[source : source + size]), size
+        )
         place = slice(start + overhang, start + overhang + size)
         total[place] += window * block
         weight[place] += np.square(window)

@@ -30,7 +30,7 @@ from math import ceil, exp, floor, log, nan, pi
 from typing import Final, Literal
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.errors import InputError, arguments
 from rolamento.numerics import ComplexArray, FloatArray
@@ -377,13 +377,13 @@ class _Search:
         from scipy.signal import get_window  # slow to import
 
         window = get_window("hann", block)
-        size = fft.next_fast_len(_PADDING * block, real=True)
+        size = scipy.fft.next_fast_len(_PADDING * block, real=True)
         resolution = self.signal.rate / size
         orders = np.arange(1, self.harmonics + 1)
         lines = np.rint(orders[:, None] * self.candidates[None] / resolution).astype(np.int64)
         found = np.empty((blocks, len(self.candidates)))
         for number, start in enumerate(starts):
-            power = np.square(np.abs(fft.rfft(window * samples[start : start + block], size)))
+            power = np.square(np.abs(scipy.fft.rfft(window * samples[start : start + block], size)))
             # the noise about a harmonic: between it and its neighbours
             reach = round(float(np.mean(self.candidates)) / resolution)
             floor = [
@@ -401,8 +401,8 @@ def _decimated(signal: Signal, highest: float) -> Signal:
     if factor < 2:
         return replace(signal, speed=None)
     count = len(signal.samples) // factor
-    spectrum = fft.rfft(signal.samples[: count * factor])[: count // 2 + 1]
-    samples = fft.irfft(spectrum, count) / factor
+    spectrum = scipy.fft.rfft(signal.samples[: count * factor])[: count // 2 + 1]
+    samples = scipy.fft.irfft(spectrum, count) / factor
     return Signal(samples, signal.rate / factor)
 
 
@@ -411,7 +411,7 @@ def _corrected(signal: Signal, harmonics: int) -> FloatArray:
     assert signal.speed is not None
     per_turn = 4.0 * (harmonics + 1)
     tracked = order_tracked(signal, per_turn)
-    spectrum = np.asarray(fft.fft(tracked.samples))
+    spectrum = np.asarray(scipy.fft.fft(tracked.samples))
     clear = [_clearness(spectrum, order, tracked.revolutions) for order in range(1, harmonics + 1)]
     precision = [order**2 * ratio for order, ratio in enumerate(clear, start=1)]
     order = int(np.argmax(precision)) + 1
@@ -443,7 +443,7 @@ def _side_band(spectrum: ComplexArray, order: int, turns: float) -> ComplexArray
     moved = np.zeros_like(spectrum)
     offsets = np.arange(-reach, reach + 1)
     moved[offsets] = spectrum[centre + offsets]
-    return np.asarray(fft.ifft(moved))
+    return np.asarray(scipy.fft.ifft(moved))
 
 
 def _reach(turns: float) -> int:
@@ -455,7 +455,7 @@ def _share(signal: Signal, harmonics: int) -> float:
     """Share of a clear harmonic's power that lies on the path, of the best one; NaN without any."""
     tracked = order_tracked(signal, 4.0 * (harmonics + 1))
     turns, window = tracked.revolutions, np.hanning(len(tracked.samples))
-    power = np.square(np.abs(fft.rfft(window * (tracked.samples - np.mean(tracked.samples)))))
+    power = np.square(np.abs(scipy.fft.rfft(window * (tracked.samples - np.mean(tracked.samples)))))
     best = nan
     for harmonic in range(1, harmonics + 1):
         lines = np.arange(
@@ -477,7 +477,7 @@ def _evidence(signal: Signal, harmonics: int, ways: float) -> float:
     tracked = order_tracked(signal, 4.0 * (harmonics + 1))
     turns = int(tracked.revolutions)
     samples = tracked.samples[: round(turns * tracked.samples_per_revolution)]
-    power = np.square(np.abs(fft.rfft(samples - np.mean(samples))))
+    power = np.square(np.abs(scipy.fft.rfft(samples - np.mean(samples))))
     scores = line_scores(power[np.newaxis], averages=1)[0]
     total = float(np.nansum(scores[turns * np.arange(1, harmonics + 1)]))
     return -float(log_gamma_tail(harmonics, np.array([total]))[0]) - ways

@@ -29,7 +29,7 @@ from math import sqrt
 from typing import Final, Literal
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -108,7 +108,7 @@ def power_density(signal: Signal) -> Spectrum:
     """
     require_samples(signal, _LEAST, marked("a spectrum"))
     count = len(signal.samples)
-    power = np.square(np.abs(fft.rfft(signal.samples))) / (signal.rate * count)
+    power = np.square(np.abs(scipy.fft.rfft(signal.samples))) / (signal.rate * count)
     power[1 : (count + 1) // 2] *= 2.0
     return Spectrum(
         axis=axis_of(len(power), signal.rate / count),
@@ -154,7 +154,7 @@ def averaged_density(signal: Signal, resolution: float) -> Spectrum:
 def one_sided_amplitudes(samples: FloatArray) -> FloatArray:
     """Amplitudes of the lines of samples, A_k of the module's head; (samples//2 + 1,)."""
     count = len(samples)
-    amplitudes = np.abs(fft.rfft(samples)) / count
+    amplitudes = np.abs(scipy.fft.rfft(samples)) / count
     amplitudes[1 : (count + 1) // 2] *= 2.0
     return np.asarray(amplitudes)
 

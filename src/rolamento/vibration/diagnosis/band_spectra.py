@@ -33,7 +33,7 @@ from math import ceil, log, nan
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
@@ -261,7 +261,7 @@ class Turning(NamedTuple):
 
 def steps_of(lines: int) -> int:
     """Even steps of the shaft's angle in which so many lines are seen."""
-    return int(fft.next_fast_len(_STEPS * lines, real=True))
+    return int(scipy.fft.next_fast_len(_STEPS * lines, real=True))
 
 
 def over_angle(squared: FloatArray, turning: Turning) -> FloatArray:
@@ -271,10 +271,10 @@ def over_angle(squared: FloatArray, turning: Turning) -> FloatArray:
     """
     size = squared.shape[1]
     highest = min(turning.fastest, size // 2)
-    spectra = np.asarray(fft.rfft(squared))[:, : highest + 1]
+    spectra = np.asarray(scipy.fft.rfft(squared))[:, : highest + 1]
     if turning.times is None:
         return _at_steps(spectra, size, turning.steps)
-    narrow = fft.next_fast_len(max(6 * highest, 16), real=True)
+    narrow = scipy.fft.next_fast_len(max(6 * highest, 16), real=True)
     times = turning.times * narrow
     return np.stack([interpolated(one, times) for one in _at_steps(spectra, size, narrow)])
 
@@ -285,7 +285,7 @@ class _Taper:
     def __init__(self, steps: int) -> None:
         self.window = np.square(taper(even_places(steps)))
         self.sum = float(np.sum(self.window))
-        self.lines: ComplexArray = np.asarray(fft.rfft(self.window))
+        self.lines: ComplexArray = np.asarray(scipy.fft.rfft(self.window))
         self._made: dict[int, FloatArray] = {}
 
     def made_of(self, spread: int) -> FloatArray:
@@ -295,7 +295,7 @@ class _Taper:
             kept = np.zeros_like(self.lines)
             kept[: spread + 1] = self.lines[: spread + 1]
             least = _LEAST * float(self.lines[0].real) / steps
-            self._made[spread] = np.maximum(fft.irfft(kept, steps), least)
+            self._made[spread] = np.maximum(scipy.fft.irfft(kept, steps), least)
         return self._made[spread]
 
 
@@ -353,7 +353,7 @@ def modulation_powers(
         Lines on either side that are taken with a regular one at most.
     """
     steps = envelopes.shape[1]
-    spectra: ComplexArray = np.asarray(fft.rfft(envelopes))
+    spectra: ComplexArray = np.asarray(scipy.fft.rfft(envelopes))
     mean = spectra[:, :1].real / window.lines[0].real
     plain = power_of(spectra[:, :lines] - mean * window.lines[:lines])
     if not np.all(mean > 0.0):
@@ -376,18 +376,18 @@ def modulation_powers(
             for centre in regular.centres[spreads[band] == spread]:
                 about = slice(max(0, centre - spread), centre + spread + 1)
                 into[about] += spectra[band, about]
-        level[bands] += np.asarray(fft.irfft(kept, steps)) / window.made_of(spread)
+        level[bands] += np.asarray(scipy.fft.irfft(kept, steps)) / window.made_of(spread)
     level /= mean
     even = np.divide(envelopes, np.maximum(level, _LEAST, out=level), out=level)
     even -= window.window * (np.sum(even, axis=1, keepdims=True) / window.sum)
-    power = power_of(np.asarray(fft.rfft(even))[:, :lines])
+    power = power_of(np.asarray(scipy.fft.rfft(even))[:, :lines])
     return ModulationPowers(plain, power, plain * (2.0 / spectra[:, :1].real) ** 2, spreads)
 
 
 def _at_steps(spectra: ComplexArray, size: int, steps: int) -> FloatArray:
     """The first lines of spectra of so many samples, at another number of steps."""
     count = min(spectra.shape[1], steps // 2 + 1)
-    return np.asarray(fft.irfft(spectra[:, :count], steps)) * (steps / size)
+    return np.asarray(scipy.fft.irfft(spectra[:, :count], steps)) * (steps / size)
 
 
 def _slow_spread(power: FloatArray, slow: int) -> int:
@@ -649,7 +649,7 @@ class _Sums:
             carriers = slice(max(1, first), last)
             # a squared envelope is twice as wide as its band; only what is looked at must not fold
             count = last - carriers.start
-            size = int(fft.next_fast_len(min(2 * count, count + turning.fastest + 1)))
+            size = int(scipy.fft.next_fast_len(min(2 * count, count + turning.fastest + 1)))
             if found and found[-1].size == size and len(found[-1].carriers) < _AT_ONCE:
                 begin = found[-1].bands.start
                 found[-1] = _Together(
@@ -670,7 +670,7 @@ class _Sums:
         one_sided = np.zeros((len(bands.carriers), size), dtype=np.complex128)
         for into, carriers in zip(one_sided, bands.carriers, strict=True):
             into[: carriers.stop - carriers.start] = white[carriers]
-        squared = power_of(np.asarray(fft.ifft(one_sided, overwrite_x=True)))
+        squared = power_of(np.asarray(scipy.fft.ifft(one_sided, overwrite_x=True)))
         squares = np.stack([np.mean(squared**power, axis=1) for power in (1, 2)])
         squares *= np.array([[float(size) ** 2], [float(size) ** 4]])
         for one in squared:

@@ -11,7 +11,7 @@ from math import pi
 from typing import Final
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
@@ -166,7 +166,7 @@ def _good_length(samples: int) -> int:
         return samples
     step = max(1, samples // 500)
     for length in range(samples, samples - step, -1):
-        if fft.next_fast_len(length, real=True) == length:
+        if scipy.fft.next_fast_len(length, real=True) == length:
             return length
     return samples
 

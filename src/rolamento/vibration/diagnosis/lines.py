@@ -6,7 +6,7 @@ from functools import cache
 from typing import Final
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 
@@ -56,7 +56,7 @@ def reach(leakage: FloatArray, ratio: FloatArray) -> IntArray:
 def _halves() -> tuple[FloatArray, FloatArray]:
     """Power of a tone's second line over that of its first, and how far it lies from the first."""
     window = taper((np.arange(_LENGTH) + 0.5) / _LENGTH)
-    power = np.square(np.abs(fft.rfft(window, _FINE * _LENGTH)[: _FINE + 1]))
+    power = np.square(np.abs(scipy.fft.rfft(window, _FINE * _LENGTH)[: _FINE + 1]))
     offsets = np.arange(_FINE // 2 + 1)
     return power[_FINE - offsets] / power[offsets], offsets / _FINE
 
@@ -92,7 +92,7 @@ def leaked(power: FloatArray, line: int, leakage: FloatArray, apart: int) -> flo
 
 
 def _spread(window: FloatArray) -> FloatArray:
-    power = np.square(np.abs(fft.rfft(window, _OVERSAMPLING * _LENGTH)))
+    power = np.square(np.abs(scipy.fft.rfft(window, _OVERSAMPLING * _LENGTH)))
     # a peak may lie half a line off its line
     farther = np.maximum.accumulate(power[::-1])[::-1] / power[0]
     half = _OVERSAMPLING // 2

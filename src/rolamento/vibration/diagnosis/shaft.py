@@ -28,7 +28,7 @@ from math import ceil, log
 from typing import Final
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -256,9 +256,9 @@ def _powers(whitening: Whitening) -> tuple[FloatArray, FloatArray]:
     if white is None:
         return whitening.power, np.zeros(len(whitening.power))
     lines = white.spectrum
-    squared = power_of(fft.ifft(lines, fft.next_fast_len(2 * len(lines))))
+    squared = power_of(scipy.fft.ifft(lines, scipy.fft.next_fast_len(2 * len(lines))))
     limit(squared)
-    return whitening.power, power_of(np.asarray(fft.rfft(squared)))
+    return whitening.power, power_of(np.asarray(scipy.fft.rfft(squared)))
 
 
 def _ratios(power: FloatArray, block: Block) -> FloatArray:

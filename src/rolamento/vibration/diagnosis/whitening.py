@@ -21,7 +21,7 @@ from math import ceil, log, sqrt
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.numerics.percentiles import median
@@ -241,7 +241,7 @@ class Whitening:
         return taper(even_places(len(self.block.samples)) if places is None else places)
 
     def _spectrum(self, samples: FloatArray) -> ComplexArray:
-        return np.asarray(fft.rfft(samples * self._taper))
+        return np.asarray(scipy.fft.rfft(samples * self._taper))
 
     def _lines_without_tones(self, places: FloatArray, combs: Sequence[Comb]) -> _Lines:
         """Lines over time, without all that turns with a shaft of varying speed."""
@@ -250,7 +250,7 @@ class Whitening:
         tones = _turning_tones(samples, places, self._resolution, combs)
         if tones is None:
             return self._lines
-        without = np.asarray(fft.rfft(samples * self._taper - tones))
+        without = np.asarray(scipy.fft.rfft(samples * self._taper - tones))
         return _Lines.of(without, self._resolution)
 
     @cached_property
@@ -269,11 +269,11 @@ class Whitening:
         white = lines.even(teeth)
         if tones is not None:
             white[tones] = 0.0
-        even = np.asarray(fft.irfft(white, len(self.block.samples)))
+        even = np.asarray(scipy.fft.irfft(white, len(self.block.samples)))
         limited = _limited(even, 1.0)
         if limited is even:
             return white
-        return _Lines.of(np.asarray(fft.rfft(limited)), self._resolution).even(teeth)
+        return _Lines.of(np.asarray(scipy.fft.rfft(limited)), self._resolution).even(teeth)
 
 
 def even_places(count: int) -> FloatArray:
@@ -324,14 +324,17 @@ def _turning_tones(
     """The sum of all that turns with the shaft, tapered; (samples,), None if nothing does."""
     count = len(samples)
     slowest = float(np.min(np.diff(places)))
-    steps = fft.next_fast_len(min(ceil(1.0 / slowest), 4 * count), real=True)
+    steps = scipy.fft.next_fast_len(min(ceil(1.0 / slowest), 4 * count), real=True)
     even = even_places(steps)
     at = np.interp(even, places, np.arange(count, dtype=np.float64))
     # over time or over angle, lines are one over the block apart
-    lines = _Lines.of(np.asarray(fft.rfft(interpolated(samples, at) * taper(even))), resolution)
+    lines = _Lines.of(
+        np.asarray(scipy.fft.rfft(interpolated(samples, at) * taper(even))), resolution
+    )
     tones, _ = tones_of(lines.power, lines.level).parted(combs)
     if not np.any(tones):
         return None
     return interpolated(
-        np.asarray(fft.irfft(np.where(tones, lines.spectrum, 0.0), steps)), places * steps - 0.5
+        np.asarray(scipy.fft.irfft(np.where(tones, lines.spectrum, 0.0), steps)),
+        places * steps - 0.5,
     )
