@@ -93,6 +93,23 @@ def seek(page: Page) -> None:
     page.evaluate("document.querySelector('#seek').scrollIntoView({ block: 'center' })")
 
 
+def tolerance(page: Page) -> None:
+    """The scatter of the results with clearance, conformity and load."""
+    page.get_by_label("Designation or dimensions").fill("6310")
+    page.get_by_label("Designation or dimensions").press("Enter")
+    page.locator("#first").wait_for(timeout=1000.0 * _PATIENCE)
+    for name, text in (("duty.load.fz", "8 kN"), ("duty.inner_speed", "1480 rpm")):
+        page.locator(f"#first input[name='{name}']").fill(text)
+    page.locator("#first button").click()
+    page.locator("#status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
+    page.locator("#tolerance summary").click()
+    page.locator("#tolerance option[value='duty.load.fz']").wait_for(state="attached")
+    page.select_option("#tolerance select[name=more]", "duty.load.fz")
+    page.locator("#tolerance .tools button").first.click()
+    page.locator("#tolerance .js-line").first.wait_for(state="attached")
+    page.evaluate("document.querySelector('#tolerance').scrollIntoView({ block: 'end' })")
+
+
 def compare(page: Page) -> None:
     """Two cases of it, one with more load."""
     _example(page, "6310_motor")
@@ -138,6 +155,7 @@ PICTURES: Final = {
     "first": (first, 1200, 820),
     "case": (case, 1200, 820),
     "seek": (seek, 1200, 820),
+    "tolerance": (tolerance, 1200, 820),
     "compare": (compare, 1200, 820),
     "machine": (machine, 1200, 980),
     "signal": (signal, 1200, 980),

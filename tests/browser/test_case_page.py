@@ -449,3 +449,65 @@ def test_what_would_help_is_tried_beside(visit: Any) -> None:
     settled(page)
     assert page.locator("#slot-list .slot").count() == 2
     assert "9 kN" in page.locator("#changed").inner_text()
+
+
+def test_a_link_gives_the_names_of_the_cases(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "5")
+    page.click("#compare")
+    for place, name in enumerate(("as drawn", "belt too tight")):
+        called = page.locator("#slot-list input[type=text]").nth(place)
+        called.fill(name)
+        called.press("Enter")
+    page.click("#share")
+    page.locator("#sharing").wait_for()
+    link = page.locator("#link").input_value()
+    other = visit()
+    other.goto("about:blank")
+    other.goto(link)
+    other.locator("#slot-list input[type=text]").nth(1).wait_for()
+    names = [one.input_value() for one in other.locator("#slot-list input[type=text]").all()]
+    assert names == ["as drawn", "belt too tight"]
+    other.reload()
+    other.locator("#slot-list input[type=text]").nth(1).wait_for()
+    assert other.locator("#slot-list input[type=text]").nth(1).input_value() == "belt too tight"
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_tolerances_scatter_the_results(visit: Any, lang: str) -> None:
+    page = visit(lang=lang)
+    opened(page)
+    typed(page, "duty.inner_speed", "1480")
+    typed(page, "duty.load.fz", "15")
+    page.locator("#tolerance summary").click()
+    page.locator("#tolerance table").wait_for()
+    page.select_option("#tolerance select[name=more]", "duty.load.fz")
+    answered = "**/page/tolerance*"
+    with page.expect_response(answered):
+        page.locator("#tolerance .tools button").first.click()
+    load = page.locator("#tolerance .row", has=page.locator("[id='scatter-duty.load.fz']"))
+    load.wait_for()
+    page.wait_for_timeout(300)
+
+    def lives() -> list[float]:
+        row = page.locator("#tolerance tr", has_text="vida" if lang == "pt" else "life").first
+        cells = row.locator("td").all_inner_texts()[:3]
+        return [number(cell) for cell in cells]
+
+    narrow = lives()
+    assert narrow == sorted(narrow)
+    with page.expect_response(answered):
+        load.locator("input[type=range]").fill("90")
+    page.wait_for_timeout(300)
+    wide = lives()
+    assert wide[0] < 0.8 * narrow[0]
+    assert wide[2] > 1.2 * narrow[2]
+    page.locator("#tolerance .plot .js-line").first.wait_for(state="attached")
+    assert "±" in (load.locator("input[type=range]").get_attribute("aria-valuetext") or "")
+    load.locator("input[type=text]").fill("99")
+    load.locator("input[type=text]").press("Enter")
+    assert page.locator("#tolerance .error").inner_text() != ""
+    count = page.locator("#tolerance .row").count()
+    page.locator("#tolerance .close").first.click()
+    page.locator("#tolerance .row").nth(count - 1).wait_for(state="detached")

@@ -22,6 +22,16 @@ def at(visit: Any, view: str, **who: Any) -> Any:
         page.locator("#status p.good").wait_for()
         page.evaluate("for (const one of document.querySelectorAll('details')) one.open = true")
         page.wait_for_timeout(2000)
+        page.locator("#tolerance table").wait_for(state="attached")  # a phone shows the inputs
+        page.locator("#work:not(.asking)").wait_for()
+        page.locator("#results [data-stale]").first.wait_for(state="detached")
+        page.wait_for_timeout(500)  # what was faint appears
+    elif view == "machine":
+        page.locator("#machine-examples button").first.click()
+        page.locator("#machine-status p.good").wait_for()
+        page.evaluate("for (const one of document.querySelectorAll('details')) one.open = true")
+        page.wait_for_timeout(2000)
+        page.locator("#machine-work:not(.asking)").wait_for()
     elif view in ("weibull", "signal"):
         page.locator(f"#{view} .drop-examples button").first.click()
         page.locator(f"#{view} .drop-result table, #{view} .drop-result figure").first.wait_for()
@@ -34,7 +44,7 @@ def shot(page: Any, name: str) -> None:
         page.screenshot(path=SCREENS / f"{name}.png", full_page=True)
 
 
-VIEWS = ("open", "case", "weibull", "signal")
+VIEWS = ("open", "case", "machine", "weibull", "signal")
 
 
 @pytest.mark.parametrize("view", VIEWS)
@@ -59,7 +69,8 @@ def test_axe_finds_nothing(
 
 
 @pytest.mark.parametrize(
-    ("view", "lang"), [("open", "en"), ("case", "pt"), ("weibull", "pt"), ("signal", "en")]
+    ("view", "lang"),
+    [("open", "en"), ("case", "pt"), ("machine", "pt"), ("weibull", "pt"), ("signal", "en")],
 )
 def test_a_phone_never_scrolls_sideways(visit: Any, view: str, lang: str) -> None:
     page = at(visit, view, lang=lang, size=PHONE)

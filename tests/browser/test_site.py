@@ -70,6 +70,17 @@ def test_the_search_finds_a_standard_by_its_number(page: Any, place: str, questi
 
 @pytest.mark.parametrize("name", PAGES)
 @pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(page: Any, place: str, name: str, scheme: str) -> None:
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
+    page.emulate_media(color_scheme=scheme)
+    page.goto(f"{place}/{name}.html")
+    found = axe.run(page).response["violations"]
+    told = [(one["id"], [node["target"] for node in one["nodes"]][:4]) for one in found]
+    assert told == []
+
+
+@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_a_page_is_as_wide_as_a_phone(page: Any, place: str, name: str, scheme: str) -> None:
     page.emulate_media(color_scheme=scheme)
     page.set_viewport_size({"width": 390, "height": 844})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import re
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -32,6 +33,7 @@ from rolamento.charts.drawing import draw
 from rolamento.charts.frame import figure_of
 from rolamento.charts.palette import DARK, LIGHT, SERIES
 from rolamento.charts.plotly import picture
+from rolamento.charts.record import BREAK
 from rolamento.document import Document, Figure, Section
 from rolamento.document.html import html
 
@@ -111,6 +113,16 @@ def test_what_has_no_number_stands_at_the_foot_with_its_reason() -> None:
 def test_what_never_ends_fills_the_frame() -> None:
     assert trace(BARS, "case A")["x"] == [1.0, 10.0]
     assert max(bar.get_width() for bar in draw(BARS).patches) == 10.0
+
+
+def test_a_bar_beyond_its_axis_has_a_break_mark_at_its_end() -> None:
+    far = replace(BARS, x=Axis("Life", "h", (0.1, 2.5), log=True))
+    marks = picture(far)["layout"]["annotations"]
+    assert [round(one["y"], 6) for one in marks] == [0.8, 1.2]  # "∞" and 3, not 1 and 2
+    assert {one["x"] for one in marks} == {np.log10(2.5)}
+    drawn = [text for text in draw(far).texts if text.get_text() == BREAK]
+    assert [round(float(text.xy[1]), 6) for text in drawn] == [0.8, 1.2]  # type: ignore[attr-defined]
+    assert [one["y"] for one in picture(BARS)["layout"]["annotations"]] == [0.8]
 
 
 def test_pictures_are_plain_json_and_say_what_they_say() -> None:

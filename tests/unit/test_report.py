@@ -17,12 +17,12 @@ from tests.one_case import said
 import rolamento
 from rolamento import Case
 from rolamento.case.model import CageKind, RacewayControl
-from rolamento.document import Document
+from rolamento.document import Document, KeyValues
 from rolamento.document.medium import Medium
 from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
 from rolamento.pages.elements import element_sections
-from rolamento.pages.given import model_text
+from rolamento.pages.given import head, model_text
 from rolamento.pages.state import rosette, state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -342,3 +342,22 @@ def test_the_csv_leaves_empty_what_does_not_exist() -> None:
     )
     assert len(rows) == 16
     assert {row["inner_load_N"] for row in rows} == {""}
+
+
+def test_a_page_is_headed_by_the_bearing_as_delivered() -> None:
+    case = Case.from_mapping(
+        {
+            "bearing": {"designation": "6310/C3"},
+            "duty": {"inner_speed": "1480 rpm", "load": {"fz": "5 kN"}},
+            "mounting": {"shaft_tolerance": "k5", "housing_tolerance": "H6"},
+            "temperature": {"inner_ring": "70 degC", "outer_ring": "60 degC"},
+        }
+    )
+    solved = solve(case)
+    assert solved.case.bearing.ball_diameter > 19.06e-3  # warm
+    assert solved.case.bearing.diametral_clearance is not None
+    (given,) = (block for block in head(solved).blocks if isinstance(block, KeyValues))
+    text = str(given.entries[0].content)
+    assert "8 balls of 19.05 mm" in text
+    warm = 1e6 * solved.case.bearing.diametral_clearance
+    assert f"mounted and warm: diametral clearance {warm:.4g} µm" in text

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from rolamento import analyse, solve
 from rolamento.case import Case
 from rolamento.case.fields import changed
 from rolamento.errors import InputError
-from rolamento.web.design import helps, seek
+from rolamento.tasks import tolerance_of_case
+from rolamento.web.design import helps, seek, tolerance
 from rolamento.web.live import live
 
 CASE: dict[str, Any] = {
@@ -94,3 +96,37 @@ def test_a_base_oil_takes_the_place_of_an_oils_own_viscosities() -> None:
     case = Case.from_mapping(tried)
     assert case.lubricant is not None
     assert case.lubricant.base_oil == "ISO VG 32"
+
+
+def test_percentiles_of_the_life_are_the_lives_at_percentiles_of_the_load() -> None:
+    case = Case.from_mapping(CASE)
+    found = tolerance_of_case(case, {"duty.load.fz": 1e3}, ("life_hours",))
+    loads = found.samples.inputs[0].values
+    for life, percent in zip(found.bands["life_hours"].percentile, (95, 50, 5), strict=True):
+        load = {"duty.load.fz": f"{np.percentile(loads, percent)} N"}
+        assert life == pytest.approx(hours(changed(CASE, load, Case, in_file=True)), rel=0.02)
+    assert 9e3 <= loads.min() < 9.2e3 < 10.8e3 < loads.max() <= 11e3  # cut off at the tolerance
+    assert loads.std() == pytest.approx(1e3 / 3.0, rel=0.1)
+
+
+def test_what_scatters_is_offered_and_shown() -> None:
+    offered = tolerance({"case": CASE})
+    fields = {one["name"]: one for one in offered["fields"]}
+    assert offered["fields"][0]["name"] == "bearing.diametral_clearance"
+    assert fields["duty.load.fz"]["most"] == pytest.approx(5e3)
+    assert (fields["duty.load.fz"]["unit"], fields["duty.load.fz"]["factor"]) == ("kN", 1e3)
+    assert fields["temperature.lubricant"]["unit"] == "K"
+    assert fields["bearing.inner_conformity"]["most"] <= 0.02
+    assert "table" not in offered
+    scatter = {"bearing.diametral_clearance": 5e-6, "duty.load.fz": 500.0}
+    found = tolerance({"case": CASE, "scatter": scatter, "output": "max_inner_max_pressure"})
+    assert found["output"] == "max_inner_max_pressure"
+    assert found["picture"]["layout"]["xaxis"]["title"]["text"].endswith("(MPa)")
+    assert "95 %" in found["table"]
+
+
+@pytest.mark.parametrize("scatter", [3, {"duty.load.fz": "x"}, {"duty.load.fz": 9e3},
+                                     {"duty.load.fz": -1.0}, {"no.such": 1.0}])  # fmt: skip
+def test_a_wrong_tolerance_is_refused(scatter: Any) -> None:
+    with pytest.raises(InputError):
+        tolerance({"case": CASE, "scatter": scatter})

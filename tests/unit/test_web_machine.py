@@ -370,7 +370,7 @@ def test_a_machine_that_is_too_large_is_refused_before_it_runs(
         assert response.json()["error"]["field"].startswith(field)
 
 
-def test_what_a_machine_costs_is_reckoned_of_anything() -> None:
+def test_what_a_machine_costs_is_estimated_of_anything() -> None:
     assert size_of_machine(EXAMPLE_MACHINE).is_fast
     many = {**EXAMPLE_MACHINE, "spectrum": [{"share": 0.01}] * 100}
     size = size_of_machine(many)

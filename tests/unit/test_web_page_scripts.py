@@ -1,4 +1,4 @@
-"""What the page's scripts reckon by themselves, run by Node where there is one."""
+"""What the page's scripts work out by themselves, run by Node where there is one."""
 
 from __future__ import annotations
 
@@ -95,19 +95,29 @@ def test_sliders_stay_within_the_bounds_of_their_fields() -> None:
 
 def test_a_link_gives_the_cases_back_and_refuses_all_else() -> None:
     script = """
-    const part = await share.packed(given, 1);
+    const pack = (cases, more = {}) => share.packed({ cases, active: 0, ...more });
+    const part = await share.packed(given);
     const back = await share.unpacked(part);
-    const bomb = await share.packed([{ title: "x".repeat(2_000_000) }], 0);
+    const odd = await pack([{}, {}], { names: [7, " x ".repeat(40)], active: 9 });
+    const bomb = await pack([{ title: "x".repeat(2_000_000) }]);
     const bad = ["", "%%", "AAAA", part.slice(0, -6), "A".repeat(300_000), bomb,
-      await share.packed("text", 0), await share.packed([], 0), await share.packed([1], 0)];
+      await pack("text"), await pack([]), await pack([1]), await pack([{}, {}, {}, {}, {}])];
     const asked = bad.map((one) => share.unpacked(one).then(() => "", () => "refused"));
     const refused = await Promise.all(asked);
-    tell({ back, refused, letters: part.length, small: bomb.length < 200_000 });
+    const taken = await share.unpacked(odd);
+    tell({ back, odd: taken, refused, letters: part.length, small: bomb.length < 200_000 });
     """
-    cases = [{"bearing": {"designation": "6310/C3"}, "duty": {}}, {"title": "é ≠ 球"}]
-    found = _run(script, cases)
-    assert found["back"] == {"cases": cases, "active": 1}
-    assert found["refused"] == ["refused"] * 9
+    given = {
+        "cases": [{"bearing": {"designation": "6310/C3"}, "duty": {}}, {"title": "é ≠ 球"}, {}],
+        "names": ["as drawn", "", "belt too tight"],
+        "active": 2,
+    }
+    found = _run(script, given)
+    assert found["back"] == given
+    assert found["odd"]["active"] == 0
+    assert found["odd"]["names"][0] == ""
+    assert len(found["odd"]["names"][1]) == 40
+    assert found["refused"] == ["refused"] * 10
     assert found["small"]
 
 

@@ -540,7 +540,7 @@ def test_turns_are_not_lost(monkeypatch: pytest.MonkeyPatch) -> None:
     anyio.run(run)
 
 
-def test_what_is_asked_for_is_reckoned(tmp_path: Path) -> None:
+def test_what_is_asked_for_is_counted(tmp_path: Path) -> None:
     record = tmp_path / "a.wav"
     record.write_bytes(bytes(50_000))
     bearing = {"bearing": {"ball_count": 20, "arrangement": "DB"}}

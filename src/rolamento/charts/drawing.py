@@ -23,6 +23,7 @@ from rolamento.charts.frame import (
 )
 from rolamento.charts.palette import LIGHT
 from rolamento.charts.record import (
+    BREAK,
     FAINT,
     Axis,
     Bars,
@@ -196,14 +197,23 @@ def _bars(axes: Axes, chart: Chart, groups: list[Bars]) -> None:
     for order, one in enumerate(groups):
         places = np.asarray(one.places)
         shift = 0.0 if chart.stacked else thick * (order - 0.5 * (len(groups) - 1))
-        values = np.where(np.isposinf(one.values), far, one.values)
+        values = one.values if chart.stacked else np.minimum(one.values, far)
         left = reached[places] if chart.stacked else None
         drawn = axes.barh(places + shift, values, thick, left=left, label=one.name or "_",
                           color=LIGHT[one.look.color], zorder=2.0)  # fmt: skip
         for bar, fine in zip(drawn, one.valid, strict=False):
             bar.set_alpha(1.0 if fine else FAINT)
+        beyond = np.zeros(len(values), np.bool_) if chart.stacked else one.values > far
         if one.texts:
-            axes.bar_label(drawn, labels=list(one.texts), padding=3, fontsize=_TEXT)
+            inside = np.where(beyond, "", one.texts)
+            axes.bar_label(drawn, labels=inside.tolist(), padding=3, fontsize=_TEXT)
+        for place in np.flatnonzero(beyond):
+            at = (far, float(places[place]) + shift)
+            axes.annotate(BREAK, at, (-10, 0), textcoords="offset points", ha="center", va="center",
+                          bbox={"facecolor": "white", "linewidth": 0.0, "pad": 0.5})  # fmt: skip
+            if one.texts:
+                axes.annotate(one.texts[place], at, (-20, 0), textcoords="offset points",
+                              ha="right", va="center", color="white", fontsize=_TEXT)  # fmt: skip
         if chart.stacked:
             reached[places] += values
 

@@ -18,6 +18,7 @@ from rolamento.charts.contacts import AROUND
 from rolamento.charts.limits import decades, reach
 from rolamento.charts.palette import Look
 from rolamento.charts.record import (
+    BREAK,
     FAINT,
     Axis,
     Bars,
@@ -50,6 +51,10 @@ _MODES: Final = {"line": "lines", "points": "markers", "both": "lines+markers"}
 _DASHES: Final = {"dashdotdot": "10px,2px,2px,2px,2px,2px", "fine": "2px,2px"}
 _MARKS: Final = {"tick": "line-ns", "thin": "x-thin"}
 _CORNERS: Final = np.linspace(0.0, 2.0 * np.pi, 25)
+_GROUP: Final = 0.8
+"""Of the room of a category, which its bars fill, as Plotly has it."""
+_BEFORE_END: Final = 12
+"""Pixels from the end of a bar to its break mark."""
 _FINE: Final = 4
 """Decimals of the outline of an ellipse."""
 _SIDES: Final = {"left": "middle left", "right": "middle right", "above": "top center"}
@@ -122,6 +127,11 @@ def _in_panels(panels: Sequence[Chart], down: bool) -> tuple[list[dict[str, Any]
         layout["xaxis"] |= {"anchor": f"y{count}", "constrain": "domain"}
     if first.zones:
         layout |= _zones(first, {"x": across, "y": upright})
+    if first.y.categories:
+        lines = [_line_below(mark) for mark in first.marks if mark.axis == "x"]
+        layout["shapes"] = layout.get("shapes", []) + lines
+    if breaks := list(_breaks(first, across)):
+        layout["annotations"] = layout.get("annotations", []) + breaks
     return data, layout
 
 
@@ -359,6 +369,19 @@ def _bars(chart: Chart, bars: Bars, limits: tuple[float, float]) -> dict[str, An
     return found
 
 
+def _breaks(chart: Chart, across: tuple[float, float]) -> Iterator[dict[str, Any]]:
+    """Yield a break mark at the end of each bar that goes beyond the axis."""
+    groups = [one for one in chart.series if isinstance(one, Bars)]
+    thick = _GROUP / len(groups) if groups else 0.0
+    end = float(np.log10(across[1])) if chart.x.log else across[1]
+    for order, one in enumerate(groups):
+        shift = thick * (order - 0.5 * (len(groups) - 1))
+        for place, value in zip(one.places, one.values.tolist(), strict=True):
+            if value > across[1]:
+                yield {"x": end, "y": place + shift, "text": BREAK, "showarrow": False,
+                       "xshift": -_BEFORE_END, "bgcolor": "paper", "borderpad": 0}  # fmt: skip
+
+
 def _ellipses(chart: Chart, own: Ellipses) -> dict[str, Any]:
     """Return their outlines, one after the other."""
     gap = np.full((len(own.x), 1), np.nan)
@@ -388,15 +411,23 @@ def _aside(text: str, side: Side) -> str:
     return "<br>".join(f"{before}{line}{after}" for line in text.split("\n"))
 
 
+def _line_below(mark: Mark) -> dict[str, Any]:
+    """Return a mark as a line below bars, whose texts stay legible; `_mark` names it."""
+    return {"type": "line", "layer": "below", "x0": mark.at, "x1": mark.at, "yref": "paper",
+            "y0": 0, "y1": 1, "line": _stroke(mark.look)}  # fmt: skip
+
+
 def _mark(chart: Chart, mark: Mark, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:
     """Return a line from end to end of the frame, in the legend as any other."""
     names = chart.y.categories
     ends: list[Any] = list(limits[0] if mark.axis == "y" else limits[1])
-    if names and mark.axis == "x":
+    below = names and mark.axis == "x"
+    if below:
         ends = [names[0], names[-1]]
     at = [mark.at, mark.at]
     own = chart.y if mark.axis == "y" else chart.x
     return {
+        **({"visible": "legendonly"} if below else {}),
         "type": "scatter", "mode": "lines", "name": mark.name, "line": _stroke(mark.look),
         "x": ends if mark.axis == "y" else at, "y": at if mark.axis == "y" else ends,
         "hovertemplate": _named(own.with_unit(f"%{{{mark.axis}:{_NUMBER}}}")),

@@ -24,6 +24,8 @@ Floats = NDArray[np.float64]
 Form = Literal["line", "points", "both"]
 Side = Literal["left", "right", "above"]
 
+BREAK: Final = "//"
+"""The break mark of a bar that goes beyond its axis."""
 FAINT: Final = 0.35
 """Opacity of what is shown though it does not hold."""
 
@@ -140,7 +142,8 @@ class Bars:
     Attributes
     ----------
     values
-        (bars,); infinite ones fill the frame
+        (bars,); one beyond the end of its axis, as an infinite one, fills the frame and has a
+        break mark there
     places
         to which categories they belong, (bars,)
     name, look

@@ -82,8 +82,10 @@ def picture(
 def head(solved: Solved) -> Section:
     """Return the title, what was given, and how the solution ended."""
     case = solved.case
+    delivered = _bearing(solved.delivered_case.bearing)
+    bearing = "\n".join((delivered, *_in_operation(solved)))
     entries = (
-        Entry(said("bearing"), _bearing(case.bearing)),
+        Entry(said("bearing"), bearing),
         Entry(said("duty"), _duty(case.duty)),
         Entry(said("model"), model_text(case)),
         *_status(solved),
@@ -111,6 +113,26 @@ def quantity(value: float, dimension: Dimension) -> str:
 
 
 # --- bearing -----------------------------------------------------------------------------------
+
+
+def _in_operation(solved: Solved) -> list[str]:
+    """Say what mounting and heat make of the play of a bearing; nothing of one as delivered."""
+    if solved.before_mounting is None:
+        return []
+    rows = [place.bearing for place in solved.case.bearing.places]
+    plays = dict.fromkeys(
+        said("contact angle {angle:.4 °}", angle=row.contact_angle)
+        if row.contact_angle is not None
+        else said("diametral clearance {clearance:.4 µm}", clearance=row.diametral_clearance or 0.0)
+        for row in rows
+        if not row.bearing_type.conical
+    )
+    if not plays:
+        return []
+    play = "; ".join(plays)
+    if solved.delivered_case.temperature is None:
+        return [said("mounted: {play}", play=play)]
+    return [said("mounted and warm: {play}", play=play)]
 
 
 def _bearing(bearing: Bearing | RollerBearing) -> str:

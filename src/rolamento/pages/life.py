@@ -48,8 +48,10 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FACTORS",
+    "LONGEST_LIFE",
     "MILLION",
     "changes_section",
+    "hours_text",
     "life_notes",
     "life_page",
     "life_section",
@@ -86,12 +88,19 @@ _CHOSEN: Final = "▸"
 _KILO: Final = 1e3
 _WORTH: Final = 1.05
 _NEARLY_ALL, _HARDLY_ANY = 0.9995, 0.0005
-_BEYOND_FATIGUE: Final = 100_000.0
+LONGEST_LIFE: Final = 100_000.0
 """Hours from which on a machine does not end by the fatigue of this bearing."""
 _FAR: Final = 1.5
 """The life over that of the catalogue, or the other way round, from which on it is explained."""
 _NOTABLE: Final = 1.1
 """The same for a single factor."""
+
+
+def hours_text(hours: float) -> str:
+    """Return a life in hours, or in words that it is longer than what fatigue decides."""
+    if hours > LONGEST_LIFE:
+        return said("> {hours}", hours=int(LONGEST_LIFE))
+    return said("{hours:.4r}", hours=hours)
 
 
 def life_page(
@@ -312,9 +321,9 @@ def _endless(solved: Solved, leading: Headline) -> _Sentence:
 
 def _beyond_fatigue(leading: Headline) -> list[_Sentence]:
     """Say of a life that no machine reaches that something else will end it."""
-    if leading.below[0] or not leading.hours[0] > _BEYOND_FATIGUE:
+    if leading.below[0] or not leading.hours[0] > LONGEST_LIFE:
         return []
-    text = said("More than {hours:.3r h}: fatigue will not end it.", hours=_BEYOND_FATIGUE * HOUR)
+    text = said("More than {hours:.3r h}: fatigue will not end it.", hours=LONGEST_LIFE * HOUR)
     return [(text, "")]
 
 

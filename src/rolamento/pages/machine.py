@@ -34,7 +34,7 @@ from rolamento.document import (
 from rolamento.numerics import FloatArray
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.given import picture
-from rolamento.pages.life import none_valid
+from rolamento.pages.life import LONGEST_LIFE, hours_text, none_valid
 from rolamento.pages.notes import notes_section
 from rolamento.pages.shaft import together_sentences
 from rolamento.pages.state import state_page
@@ -455,6 +455,8 @@ def _hours(found: MachineAnalysis, one: SeatedBearing, case: int) -> CellContent
         return None
     if hours == inf:
         return ENDLESS
+    if hours > LONGEST_LIFE and not headline.below[case]:
+        return hours_text(hours)
     return Number(hours * HOUR, ".3r [h]", before="<" if headline.below[case] else "")
 
 

@@ -42,7 +42,7 @@ from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.friction import power_unit, torque_unit
 from rolamento.pages.given import no_load_text, title_of
-from rolamento.pages.life import FACTORS, rating_source, verdict
+from rolamento.pages.life import FACTORS, LONGEST_LIFE, hours_text, rating_source, verdict
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.quantities import (
     FILM,
@@ -97,8 +97,6 @@ __all__ = [
 
 _Quantity = Quantity["CaseReport"]
 _Group = Group["CaseReport"]
-_LONGEST_LIFE: Final = 100_000.0
-"""h beyond which fatigue does not end a life."""
 
 
 def report_page(report: Report) -> Document:
@@ -664,7 +662,7 @@ def _is_plain(case: CaseReport) -> bool:
     life, hours = case.analysis.life, _hours(case)
     if life is None or hours is None:
         return not (case.converged and life is not None and _is_endless(case))
-    return bool(life.headline.valid[0]) and hours <= _LONGEST_LIFE
+    return bool(life.headline.valid[0]) and hours <= LONGEST_LIFE
 
 
 def _is_endless(case: CaseReport) -> bool:
@@ -684,8 +682,8 @@ def _life_text(case: CaseReport) -> str:
         return ""
     if life.headline.below[0]:
         return said("< {hours:.4r} h", hours=hours)
-    if hours > _LONGEST_LIFE:
-        return said("> {hours} h", hours=int(_LONGEST_LIFE))
+    if hours > LONGEST_LIFE:
+        return said("> {hours} h", hours=int(LONGEST_LIFE))
     return said("{hours:.4r} h", hours=hours)
 
 
@@ -1131,17 +1129,11 @@ def _hours_row(report: Report, label: str, theory: str) -> _Quantity:
         return None if own is None else number_of(own.hours)
 
     def text(case: CaseReport) -> str:
-        return "" if (hours := of(case)) is None else _hours_text(hours)
+        return "" if (hours := of(case)) is None else hours_text(hours)
 
-    if all((of(case) or 0.0) <= _LONGEST_LIFE for case in report.cases):
+    if all((of(case) or 0.0) <= LONGEST_LIFE for case in report.cases):
         return Quantity(label, of, ".4r", f"analysis.life.theories.{theory}.hours", "h")
     return Quantity(label, text, unit="h")
-
-
-def _hours_text(hours: float) -> str:
-    if hours > _LONGEST_LIFE:
-        return said("> {hours}", hours=int(_LONGEST_LIFE))
-    return said("{hours:.4r}", hours=hours)
 
 
 def _life_legends() -> tuple[str, ...]:
@@ -1149,7 +1141,7 @@ def _life_legends() -> tuple[str, ...]:
         said(
             "Above {hours} h fatigue does not limit the life. bound: upper bound of the life. κ "
             "viscosity ratio, e_C contamination factor.",
-            hours=int(_LONGEST_LIFE),
+            hours=int(LONGEST_LIFE),
         ),
     )
 
@@ -1204,7 +1196,7 @@ def _hours_cell(own: Life) -> CellContent:
     hours = number_of(own.hours)
     if hours is None:
         return said("no fatigue limit reached") if float(own.life[0]) == inf else Number(nan)
-    return _hours_text(hours) if hours > _LONGEST_LIFE else Number(hours, ".4r")
+    return hours_text(hours) if hours > LONGEST_LIFE else Number(hours, ".4r")
 
 
 def _verdict(case: CaseReport, theory: str) -> str:

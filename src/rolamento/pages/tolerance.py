@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import isclose
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
 from rolamento import plots
-from rolamento.charts.axes_units import ReadableUnit, readable_unit
+from rolamento.case.labels import label_of
+from rolamento.charts import Axis, Chart, Line, Look, Mark, Spread, nothing
+from rolamento.charts.axes_units import PERCENT, ReadableUnit, readable_unit
+from rolamento.charts.texts import capitalised
 from rolamento.document import (
     CellContent,
     Column,
@@ -23,21 +26,23 @@ from rolamento.document import (
 )
 from rolamento.errors import InputError
 from rolamento.pages.given import picture
+from rolamento.pages.life import LONGEST_LIFE, hours_text
 from rolamento.pages.study import in_row
+from rolamento.studies.outputs import catalogue
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
-from rolamento.studies.tolerance import Samples, ToleranceBand
-from rolamento.words import UNITS, manner, said
+from rolamento.studies.tolerance import Samples, ToleranceBand, histogram, varies
+from rolamento.words import ABSENT, UNITS, manner, said
 from rolamento.words.reasons import reason
 
-if TYPE_CHECKING:
-    pass
-
-__all__ = ["MOST_POINTS", "tolerance_page"]
+__all__ = ["MOST_POINTS", "distribution_chart", "tolerance_page", "tolerance_summary"]
 
 MOST_POINTS: Final = 20
 """Points of a study's axes that a page has room for; JSON takes any number."""
 
 _SHOWN: Final = (5.0, 50.0, 95.0)
+_HOURS: Final = "life_hours"
+_MOVES: Final = 0.3
+"""Rank correlation from which on an input is said to move an output."""
 _MOST_INPUTS: Final = 6
 
 
@@ -80,6 +85,112 @@ def tolerance_page(study: ToleranceStudy) -> Document:
         caption = said("Distributions of the outputs, and the inputs that move them")
         sections.append(picture(caption, lambda: plots.tolerance_figure(study), "tolerance", ""))
     return Document(title, tuple(sections), "tolerance")
+
+
+def tolerance_summary(study: ToleranceStudy) -> Section:
+    """Return what the outputs of a scattered case come to, one a row, and what moves each most.
+
+    study: without axes beside its samples.
+    """
+    known, rows, units = catalogue(), [], []
+    bands = study.bands.bands
+    for band in bands:
+        values = [float(value) for value in band.percentile]
+        unit = readable_unit(band.units, values, band.name)
+        cells = _row(values, unit)
+        if band.name == _HOURS:
+            pairs = zip(values, cells, strict=True)
+            cells = [hours_text(own) if own > LONGEST_LIFE else cell for own, cell in pairs]
+        rows.append(cells)
+        units.append("" if unit.symbol == "–" else unit.symbol)
+    heads = [f"{manner().short(percent, 6)} %" for percent in study.bands.percentiles]
+    columns = (
+        Column(head="", key="output", values=[known[band.name].label for band in bands]),
+        *(
+            Column(head=head, key=f"percentile_{place}", values=values, align="right")
+            for place, (head, values) in enumerate(
+                zip(heads, zip(*rows, strict=True), strict=True)
+            )
+        ),
+        Column(head="", key="unit", values=units, align="left"),
+        Column(head=said("moved most by"), key="moved",
+               values=[_moved(study, band) for band in bands], align="left"),
+    )  # fmt: skip
+    failed = int(study.bands.without_result.sum())
+    blocks = [Statement(_result(study, failed), "bad")] if failed else []
+    return Section("", (*blocks, Table(columns=columns, key="percentiles")), "percentiles")
+
+
+def _moved(study: ToleranceStudy, band: ToleranceBand) -> str:
+    """Name the input that an output depends on most, and which way; "–" of one that rests."""
+    ranks = study.ranks
+    values = study.samples.values(band.name)
+    there = values[np.isfinite(values)]
+    if ranks is None or not there.size or not varies(there, band.units):
+        return ABSENT
+    order = ranks.ranking(band.name)
+    if not order:
+        return ABSENT
+    own, strength = study.samples.inputs[order[0]], float(ranks.telling(band.name)[0][order[0]])
+    if abs(strength) < _MOVES:
+        return said("nothing alone")
+    name = label_of(own.field)
+    if strength > 0.0:
+        return said("{input}, rises with it", input=name)
+    return said("{input}, falls with it", input=name)
+
+
+def distribution_chart(study: ToleranceStudy, name: str) -> Chart:
+    """Return how an output of a scattered case is distributed, and its percentiles.
+
+    Parameters
+    ----------
+    study
+        Without axes beside its samples.
+    name
+        Of the output.
+    """
+    band, values = study.bands[name], study.samples.values(name)
+    there = values[np.isfinite(values)]
+    label = catalogue()[name].label
+    if not there.size:
+        return nothing(said("no sample has a result"))
+    unit = readable_unit(band.units, there, name)
+    if name == _HOURS and np.percentile(there, _SHOWN[0]) > LONGEST_LIFE:
+        return nothing(
+            said("more than {hours} h: fatigue does not end the life", hours=int(LONGEST_LIFE))
+        )
+    texts = [
+        hours_text(value) + " h"
+        if name == _HOURS
+        else f"{manner().short(float(unit.of(value)), 4)} {unit.symbol}".removesuffix(" –")
+        for value in band.percentile.tolist()
+    ]
+    if not varies(there, band.units):
+        return nothing(said("does not vary: {value}", value=texts[len(texts) // 2]))
+    shares, edges = histogram(np.asarray(unit.of(there)))
+    x = np.repeat(edges, 2)
+    heights = np.r_[0.0, np.repeat(PERCENT.factor * shares, 2), 0.0]
+    named = zip(study.bands.percentiles, band.percentile, texts, strict=True)
+    marks = tuple(
+        Mark(float(unit.of(value)), f"{manner().short(percent, 6)} %: {text}",
+             Look("ink", "dash" if percent == 50.0 else "dot"), "x")
+        for percent, value, text in named
+        if np.isfinite(value)
+    )  # fmt: skip
+    told = said(
+        "{output}: {low} to {high} in nine of ten cases, {middle} in the middle.",
+        output=capitalised(label), low=texts[0], middle=texts[1], high=texts[2],
+    )  # fmt: skip
+    spread = Spread(x, np.zeros_like(x), heights, capitalised(said("cases")), Look("inner"))
+    outline = Line(x, heights, "", Look("inner"))
+    return Chart(
+        (spread, outline),
+        Axis(capitalised(label), unit.symbol),
+        Axis(said("Share of the samples"), PERCENT.symbol, zero=True),
+        told,
+        marks=marks,
+    )
 
 
 def _head(study: ToleranceStudy) -> KeyValues:

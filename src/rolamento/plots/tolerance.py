@@ -15,7 +15,13 @@ from rolamento.charts.texts import capitalised, number, shown_text
 from rolamento.errors import InputError
 from rolamento.studies.names import variable_name
 from rolamento.studies.sensitivity import RankCorrelations, ToleranceStudy
-from rolamento.studies.tolerance import FINEST, FLAT, ToleranceBand, ToleranceBands
+from rolamento.studies.tolerance import (
+    FINEST,
+    ToleranceBand,
+    ToleranceBands,
+    histogram,
+    varies,
+)
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -29,7 +35,6 @@ MOST_OUTPUTS: Final = 6
 _ROW: Final = 58.0
 _MOST_INPUTS: Final = 8
 _FILL: Final = "#9FC6DF"
-_BINS: Final = (8, 50)
 
 
 def tolerance_figure(study: ToleranceStudy) -> Figure:
@@ -87,18 +92,20 @@ def _distribution(axes: Axes, values: Floats, bands: ToleranceBands, band: Toler
         empty_frame(axes, said("no sample has a result"))
         return
     unit = readable_unit(band.units, there, band.name)
-    bins = int(np.clip(np.ceil(2.0 * there.size ** (1.0 / 3.0)), *_BINS))
-    weights = np.full(there.size, PERCENT.factor / there.size)
     drawn = unit.of(there)
-    if np.ptp(there) <= max(
-        FLAT * np.abs(there).max(), FINEST.get(band.units, 0.0)
-    ):  # a histogram needs a width
+    if not varies(there, band.units):  # a histogram needs a width
         constant = 0.0 if np.abs(there).max() <= FINEST.get(band.units, 0.0) else drawn[0]
         value = f"{number(float(constant))} {unit.symbol}".removesuffix(" –")
         empty_frame(axes, said("does not vary: {value}", value=value))
         return
+    shares, edges = histogram(drawn)
     axes.hist(
-        drawn, bins=bins, weights=weights, facecolor=_FILL, edgecolor=series(0).color, linewidth=0.5
+        edges[:-1],
+        bins=edges.tolist(),
+        weights=PERCENT.factor * shares,
+        facecolor=_FILL,
+        edgecolor=series(0).color,
+        linewidth=0.5,
     )
     for percent, value, low, high in zip(
         bands.percentiles, band.percentile, band.low, band.high, strict=True

@@ -156,6 +156,7 @@ def _failures(status: DataArray) -> dict[str, int]:
 PERCENTILES: Final = (0.135, 5.0, 50.0, 95.0, 99.865)
 """The outer ones are those of three standard deviations of a normal distribution."""
 
+_BINS: Final = (8, 50)
 _MOST_PERCENTILES: Final = 50
 _LARGEST_DIFFERENCE: Final = 200.0  # K
 
@@ -231,6 +232,22 @@ class ToleranceBands:
     def share_without_result(self) -> float:
         """Part of all samples, over all axes, that have no result."""
         return float(np.mean(self.without_result)) / self.samples
+
+
+def varies(values: Floats, units: str) -> bool:
+    """Tell whether finite values of a unit, one or more, differ by more than rounding."""
+    rounding = max(FLAT * float(np.abs(values).max()), FINEST.get(units, 0.0))
+    return float(np.ptp(values)) > rounding
+
+
+def histogram(values: Floats) -> tuple[Floats, Floats]:
+    """Return the shares of finite values, 0 to 1, and the edges that they lie between.
+
+    Twice the cube root of their number are the bins, by the rule of Rice: 8 to 50.
+    """
+    bins = int(np.clip(np.ceil(2.0 * values.size ** (1.0 / 3.0)), *_BINS))
+    counts, edges = np.histogram(values, bins)
+    return counts / values.size, edges
 
 
 def tolerance_bands(

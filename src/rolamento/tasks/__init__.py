@@ -72,7 +72,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.running import ClearanceRequest, FrequenciesRequest, SpeedRequest
     from rolamento.tasks.seek import Goal, GoalSeek
     from rolamento.tasks.severity import SeverityResult, VibrationSeverity
-    from rolamento.tasks.studies import Sweep, sweep, tolerance
+    from rolamento.tasks.studies import Sweep, sweep, tolerance, tolerance_of_case
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.time_line import ServiceLife, service_life
     from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
@@ -135,7 +135,7 @@ _NAMES_OF_MODULES: Final = {
     "request": ("Input", "Request"),
     "seek": ("Goal", "GoalSeek"),
     "severity": ("SeverityResult", "VibrationSeverity"),
-    "studies": ("Sweep", "sweep", "tolerance"),
+    "studies": ("Sweep", "sweep", "tolerance", "tolerance_of_case"),
     "synthesis": ("SynthesisResult", "synthesise"),
     "time_line": ("ServiceLife", "service_life"),
     "weibull": (
@@ -240,6 +240,7 @@ __all__ = [
     "sweep",
     "synthesise",
     "tolerance",
+    "tolerance_of_case",
     "trend_of_records",
     "write_example",
 ]

@@ -8,17 +8,22 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from rolamento.case import Case
 from rolamento.case.fields import Changes
 from rolamento.case.variant import named
 from rolamento.errors import FileError, InputError
 from rolamento.io.text import format_of_path
 from rolamento.records import frozen
+from rolamento.studies.fields import Field, read_field
+from rolamento.studies.scatter import Distribution, Scatter
 from rolamento.studies.sensitivity import ToleranceStudy, sobol
 from rolamento.studies.study import Study, file_in_study, load_study
 from rolamento.studies.tolerance import (
     PERCENTILES,
     checked_percentiles,
 )
+from rolamento.tasks.curve import bounds_of
+from rolamento.tasks.report import number_of_field, with_life
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -28,9 +33,15 @@ if TYPE_CHECKING:
     from rolamento.studies.tables import KeptCases
     from rolamento.words import Note
 
-__all__ = ["Sweep", "sweep", "tolerance", "with_variants"]
+__all__ = ["Sweep", "room_of", "sweep", "tolerance", "tolerance_of_case", "with_variants"]
 
 _STANDARD_INPUT: Final = "-"
+SIGMAS: Final = 3.0
+"""Standard deviations that a tolerance to either side holds."""
+SAMPLES: Final = 600
+_SHARE: Final = 0.5
+_KELVIN: Final = 20.0
+"""How far a field may scatter: half its value, a temperature so much."""
 
 
 @frozen
@@ -231,3 +242,68 @@ def tolerance(
 
         dataset = load_result(study)
     return ToleranceStudy.of(dataset, wanted, indices)
+
+
+def tolerance_of_case(
+    case: Case,
+    deviations: Mapping[str, float],
+    outputs: Sequence[str],
+    *,
+    samples: int = SAMPLES,
+    percentiles: Sequence[float] = (5.0, 50.0, 95.0),
+) -> ToleranceStudy:
+    """Scatter fields of a case around their values, each by so much to either side.
+
+    A field is normally distributed around its value, its tolerance three standard deviations, and
+    is cut off there and at the field's own bounds; fields scatter independently.
+
+    Parameters
+    ----------
+    case
+        With a value of each field.
+    deviations
+        By the dotted name of the field: the tolerance to either side, SI, positive.
+    outputs
+        Names of the catalogue of outputs.
+    samples
+        Number of draws.
+    percentiles
+        In per cent.
+
+    Raises
+    ------
+    InputError
+        If nothing scatters, a field has no value or takes none beside it, or the case lacks what
+        an output rests on.
+    """
+    case = with_life(case)
+    fields = {name: _around(case, read_field(name, at="deviations"), size)
+              for name, size in deviations.items()}  # fmt: skip
+    scatter = Scatter(count=samples, fields=fields)
+    study = Study(case=case, outputs=tuple(outputs), scatter=scatter)
+    return tolerance(study, percentiles=percentiles)
+
+
+def _around(case: Case, field: Field, size: float) -> Distribution:
+    at, room = number_of_field(case, field.name), room_of(case, field)
+    if at is None or not 0.0 < size <= room:
+        raise InputError(
+            said("takes a tolerance above 0 and at most {most}", most=field.written(room)),
+            field=f"deviations.{field.name}",
+            value=size,
+        )
+    low, high = bounds_of(field)
+    return Distribution(
+        distribution="normal", mean=at, standard_deviation=size / SIGMAS,
+        minimum=max(at - size, low), maximum=min(at + size, high),
+    )  # fmt: skip
+
+
+def room_of(case: Case, field: Field) -> float:
+    """Return by how much a field of a case may scatter to either side, SI; 0 where it may not."""
+    at = number_of_field(case, field.name)
+    if at is None or not field.continuous:
+        return 0.0
+    low, high = bounds_of(field)
+    wide = _KELVIN if field.dimension == "temperature" else _SHARE * abs(at)
+    return max(0.0, min(wide, at - low, high - at))

@@ -5,30 +5,31 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from math import isfinite
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.fields import changed
-from rolamento.charts.axes_units import readable_unit
+from rolamento.charts.axes_units import read_values, readable_unit
 from rolamento.charts.plotly import picture
 from rolamento.charts.texts import capitalised
+from rolamento.document import Document
+from rolamento.document.html import body
 from rolamento.errors import InputError
 from rolamento.life.sensitivity import CHANGES, sensitivity
 from rolamento.pages.across import read_text
 from rolamento.pages.seek import seek_chart, seek_statement
+from rolamento.pages.tolerance import distribution_chart, tolerance_summary
 from rolamento.solution import solve
-from rolamento.studies.fields import read_field
+from rolamento.studies.fields import Field, read_field
 from rolamento.tasks.curve import fields_over, outputs_over
 from rolamento.tasks.report import number_of_field
 from rolamento.tasks.seek import GoalSeek
-from rolamento.words import said
+from rolamento.tasks.studies import room_of, tolerance_of_case
+from rolamento.words import language, said
 
-if TYPE_CHECKING:
-    pass
-
-__all__ = ["helps", "seek"]
+__all__ = ["helps", "seek", "tolerance"]
 
 _LOADS: Final = tuple(f"duty.load.{name}" for name in ("fx", "fy", "fz", "my", "mz"))
 _TILTS: Final = ("duty.displacement.ry", "duty.displacement.rz")
@@ -43,6 +44,13 @@ _USUAL_OUTPUTS: Final = (
     "life_hours", "max_inner_max_pressure", "max_outer_max_pressure", "stiffness_xx",
     "stiffness_zz", "static_safety", "viscosity_ratio", "friction_torque", "preload_at_speed",
 )  # fmt: skip
+
+_SCATTERING: Final = (
+    "bearing.preload.force", "bearing.diametral_clearance", "bearing.contact_angle",
+    "bearing.inner_conformity", "bearing.outer_conformity", "duty.load.fz", "duty.load.fx",
+    "temperature.inner_ring", "temperature.outer_ring", "temperature.lubricant",
+)  # fmt: skip
+_MOST_FIELDS: Final = 8
 
 
 def helps(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -158,6 +166,70 @@ def seek(request: Mapping[str, Any]) -> dict[str, Any]:
         ],
         "picture": {**picture(seek_chart(found))},
     }
+
+
+def tolerance(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the results of a case come to when some of its fields scatter.
+
+    Parameters
+    ----------
+    request
+        ``case``: tables; ``scatter``: by field, up to eight, by how much to either side, SI;
+        ``output``: of which the distribution is drawn. Without ``scatter`` only what there is to
+        choose from is returned.
+
+    Returns
+    -------
+    dict
+        ``fields`` to choose from, each with the greatest tolerance ``most``, SI, its ``unit`` as
+        people read it and how much that is, ``factor``; ``outputs``; with ``scatter`` also
+        ``table`` of all outputs and ``picture`` of one.
+    """
+    case = Case.from_mapping(_tables(request))
+    known = [(one, room_of(case, one)) for one in fields_over(case)]
+    rooms = {one.name: room for one, room in known if room > 0.0}
+    outputs = [one for one in outputs_over(case) if one.name in _USUAL_OUTPUTS]
+    output = _text(request, "output")
+    offered = _offered([one for one, room in known if room > 0.0], _SCATTERING)
+    answer: dict[str, Any] = {
+        "fields": [
+            {**one, "most": rooms[one["name"]], **_read_by(case, read_field(one["name"]))}
+            for one in offered
+        ],
+        "outputs": _offered(outputs, _USUAL_OUTPUTS),
+    }
+    scatter = request.get("scatter")
+    if not scatter:
+        return answer
+    names = [one["name"] for one in answer["outputs"]]
+    found = tolerance_of_case(case, _deviations(scatter), names)
+    shown = output if output in names else names[0]
+    return {
+        **answer,
+        "output": shown,
+        "table": body(Document("", (tolerance_summary(found),), kind="live", language=language())),
+        "picture": {**picture(distribution_chart(found, shown))},
+    }
+
+
+def _deviations(scatter: Any) -> dict[str, float]:
+    if not isinstance(scatter, Mapping) or len(scatter) > _MOST_FIELDS:
+        raise InputError(
+            said("must be a table of at most {most} fields", most=_MOST_FIELDS), field="scatter"
+        )
+    for name, size in scatter.items():
+        if isinstance(size, bool) or not isinstance(size, int | float):
+            raise InputError(said("must be a number"), field=f"scatter.{name}", value=size)
+    return {str(name): float(size) for name, size in scatter.items()}
+
+
+def _read_by(case: Case, field: Field) -> dict[str, Any]:
+    """The unit in which a tolerance of a field is read, and what one of it is in SI."""
+    own, room = number_of_field(case, field.name) or 0.0, room_of(case, field)
+    shown, symbol = read_values(field, np.array([own, own + 0.2 * room]))
+    if field.dimension == "temperature":
+        return {"unit": "K", "factor": 1.0}
+    return {"unit": "" if symbol == "–" else symbol, "factor": 0.2 * room / float(np.ptp(shown))}
 
 
 def _offered(known: list[Any], usual: tuple[str, ...]) -> list[dict[str, Any]]:

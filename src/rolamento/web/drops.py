@@ -423,14 +423,21 @@ def _below(html: str) -> str:
     return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
 
 
+_COLOUR_MAPS: Final = (b"<image", b'id="QuadMesh', b'id="colour-map')
+
+
 def as_data(figure: Figure) -> str | None:
-    """Return a picture as a name that holds it: images may not ask for anything."""
+    """Return a picture as a name that holds it, and ends in ``#colours`` where colours are numbers.
+
+    Images may not ask for anything.
+    """
     if figure.draw is None:
         return None
     from rolamento.document.picture import picture_bytes
 
     drawn = picture_bytes(figure.draw(), "svg", transparent=True)
-    return "data:image/svg+xml;base64," + base64.b64encode(drawn).decode()
+    is_map = any(mark in drawn for mark in _COLOUR_MAPS)
+    return f"data:image/svg+xml;base64,{base64.b64encode(drawn).decode()}{'#colours' * is_map}"
 
 
 def file_of(document: Document, mapping: dict[str, Any], form: str) -> dict[str, Any]:

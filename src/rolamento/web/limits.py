@@ -168,7 +168,7 @@ _ROWS: Final = ("rows", "arrangement")
 
 def _is_heavy(asked: Any) -> bool:
     """Whether a case of a request takes long."""
-    return _reckoned(asked)[0] > _MANY
+    return _counted(asked)[0] > _MANY
 
 
 def _size_of(args: tuple[Any, ...]) -> float:
@@ -178,12 +178,12 @@ def _size_of(args: tuple[Any, ...]) -> float:
         if isinstance(one, str):
             size += os.path.getsize(one) / 1e3 if os.path.isfile(one) else 0.0
         else:
-            elements, cases = _reckoned(one)
+            elements, cases = _counted(one)
             size += min(elements, _MINUTES) * cases
     return size
 
 
-def _reckoned(asked: Any) -> tuple[float, int]:
+def _counted(asked: Any) -> tuple[float, int]:
     """Rolling elements of all rows of the largest case of a request, and how many cases it has.
 
     Wherever they stand; fields may be dotted names. Infinitely many where a case takes minutes.
@@ -264,7 +264,7 @@ def size_of_machine(tables: Any) -> MachineSize:
     bearings = listed(tables, "bearings")
     nodes = sum(FINENESS + 1 + len(listed(one, "sections")) for one in listed(tables, "shafts"))
     nodes += sum(len(listed(tables, kind)) for kind in _ON_SHAFTS)
-    elements = sum(max(_reckoned(one)[0], _USUAL) for one in bearings)
+    elements = sum(max(_counted(one)[0], _USUAL) for one in bearings)
     return MachineSize(max(len(listed(tables, "spectrum")), 1), nodes, len(bearings), elements)
 
 

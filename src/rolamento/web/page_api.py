@@ -26,7 +26,7 @@ from rolamento.tasks.report import inputs_of, names_in
 from rolamento.web import drops
 from rolamento.web.answers import answer, read_json
 from rolamento.web.curves import curve
-from rolamento.web.design import helps, seek
+from rolamento.web.design import helps, seek, tolerance
 from rolamento.web.form import form, inputs, units
 from rolamento.web.limits import by_weight, fast
 from rolamento.web.live import live
@@ -297,6 +297,7 @@ ROUTES: Final = (
     _asks("/page/curve", curve),
     _asks("/page/helps", helps),
     _asks("/page/seek", seek),
+    _asks("/page/tolerance", tolerance),
     _asks("/page/open", opened),
     _asks("/page/save", saved),
     _asks("/page/search", search),

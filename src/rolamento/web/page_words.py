@@ -152,6 +152,16 @@ WORDS: Final[Mapping[str, str]] = {
     "theme.dark": marked("Dark"),
     "theme.light": marked("Light"),
     "tools": marked("The case"),
+    "tolerance": marked("How far do the results scatter?"),
+    "tolerance.add": marked("Scatter it"),
+    "tolerance.help": marked(
+        "Manufacture, fits and loads are never exact. Each input scatters normally around its "
+        "value, its tolerance being three standard deviations."
+    ),
+    "tolerance.more": marked("Another input"),
+    "tolerance.most": marked("Must be from 0 to {most}."),
+    "tolerance.none": marked("This case has no input that could scatter."),
+    "tolerance.output": marked("Result drawn"),
     "undo": marked("Undo"),
     "untitled": marked("Bearing"),
     "view.api": marked("API"),

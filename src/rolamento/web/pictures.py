@@ -57,7 +57,7 @@ from rolamento.lubrication.regime import regimes
 from rolamento.pages.film import regime_name
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import power_unit, source_name, torque_unit
-from rolamento.pages.life import limiting_sentences
+from rolamento.pages.life import LONGEST_LIFE, hours_text, limiting_sentences
 from rolamento.records import frozen
 from rolamento.solved import RACES, Solved
 from rolamento.solved.notes import are_rollers, nothing_given
@@ -474,7 +474,7 @@ def _life(cases: Cases) -> Picture:
         of = [name for name in theories if not np.isnan(lives.get((one.place, name), np.nan))]
         values = [float(lives[one.place, name]) for name in of]
         texts = (
-            _life_text(value, below=bool(own[name].below[0]))
+            _life_text(value, below=bool(own[name].below[0]), in_hours=turns)
             for name, value in zip(of, values, strict=True)
         )
         places = tuple(theories.index(name) for name in of)
@@ -496,11 +496,12 @@ def _life(cases: Cases) -> Picture:
     )
 
 
-def _life_text(value: float, *, below: bool) -> str:
+def _life_text(value: float, *, below: bool, in_hours: bool) -> str:
     if np.isposinf(value):
         return ENDLESS
-    text = manner().significant(value, 4)
-    return said("< {life}", life=text) if below else text
+    text = hours_text(value) if in_hours else manner().significant(value, 4)
+    long = in_hours and value > LONGEST_LIFE
+    return said("< {life}", life=text) if below and not long else text
 
 
 def _limits_of_lives(

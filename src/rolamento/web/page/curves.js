@@ -65,7 +65,7 @@ export function startCurves(root, { words, lang, say, ask, cases }) {
     const known = JSON.stringify(offered);
     if (select.dataset.known !== known || !select.options.length) {
       select.dataset.known = known;
-      select.replaceChildren(...offered.map(({ name, label }) => make("option", { value: name, textContent: label })));
+      select.replaceChildren(...offered.map(({ name, label }) => make("option", { value: name, textContent: label.replaceAll("_", "") })));
     }
     select.value = chosen;
   };

@@ -1,23 +1,46 @@
 // The live loop: one request in flight, the latest wins, quick ones while something moves.
 
-import { ask } from "./ask.js";
+import { Silent, ask, say } from "./ask.js";
 
 const PAUSE = 150; // ms without a move, after which everything is asked for
+const PATIENCE = 300; // ms until it is shown that an answer is awaited
 
 /**
  * Keep what is shown in step with the cases.
  * @param {import("./store.js").Store} store
- * @param {object} hooks  `wishes(quick)`: keys of pictures and sections; `waiting()`;
- *   `show(answer, quick, asked)`; `failed(error)`; `path`, `request(cases)` and `taken(answer)`:
- *   where it asks, how, and the answers to the cases, for what is no bearing's case
+ * @param {object} hooks  `root`: what shows that an answer is awaited; `wishes(quick)`: keys of
+ *   pictures and sections; `waiting()`; `show(answer, quick, asked)`; `stale(word)`: says why what
+ *   is shown is not current; `recover(error)`: waits for a server that is away; `complain(error)`;
+ *   `path`, `request(cases)` and `taken(answer)`: where it asks, how, and the answers to the
+ *   cases, for what is no bearing's case
  * @returns {{follow: (quick?: boolean) => void, restart: () => void}}
  */
 export function liveLoop(store, {
-  wishes, waiting, show, failed, path = "live", request = (cases) => ({ cases }), taken = (answer) => answer.cases,
+  root, wishes, waiting = () => {}, show, stale, recover, complain, path = "live", request = (cases) => ({ cases }), taken = (answer) => answer.cases,
 }) {
   let flying = null; // the request that is under way
   let again = null; // "quick" or "full": what goes when it lands
   let timer = 0;
+  let asking = 0; // timer of the sign that an answer is awaited
+
+  function answered() {
+    clearTimeout(asking);
+    asking = 0;
+    root.classList.remove("asking");
+  }
+
+  async function failed(error) {
+    if (error instanceof Silent || [429, 503].includes(error.status)) {
+      for (const slot of store.slots) slot.status = null;
+      stale(say("stale.silent"));
+      await recover(error);
+      follow();
+      return;
+    }
+    answered();
+    stale(say("stale.wrong"));
+    complain(error);
+  }
 
   async function fly(quick) {
     const mine = { quick, stop: new AbortController() };
@@ -28,6 +51,7 @@ export function liveLoop(store, {
       if (flying !== mine) return;
       store.take(taken(answer), cases);
       if (!quick && !store.slots.some((one) => one.error)) store.settled();
+      answered();
       show(answer, quick, cases);
     } catch (error) {
       if (flying !== mine || error.name === "AbortError") return;
@@ -46,6 +70,7 @@ export function liveLoop(store, {
 
   function follow(quick = false) {
     waiting();
+    asking ||= setTimeout(() => root.classList.add("asking"), PATIENCE);
     clearTimeout(timer);
     if (quick) timer = setTimeout(follow, PAUSE);
     if (flying?.quick) {

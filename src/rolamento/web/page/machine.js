@@ -31,27 +31,14 @@ export function makeMachine({ complain, recover, doing, lang }) {
   let held = null; // {key, position}: what is being dragged
   let step = 0;
   let entered = false;
-  let asking = 0;
 
   const live = liveLoop(store, {
     path: "machine/live",
     request: ([one]) => ({ machine: one.case, changes: one.changes }),
     taken: (answer) => [{ ...answer, case: answer.machine }],
     wishes: (quick) => ({ step, width: paper(), pictures: quick ? [] : openPictures() }),
-    waiting: () => (asking ||= setTimeout(() => $("machine-work").classList.add("asking"), 400)),
-    show,
-    failed: async (error) => {
-      if (error instanceof Silent || [429, 503].includes(error.status)) {
-        store.current.status = null;
-        stale(say("stale.silent"));
-        await recover(error);
-        live.follow();
-        return;
-      }
-      answered();
-      stale(say("stale.wrong"));
-      complain(error);
-    },
+    root: $("machine-work"),
+    show, stale, recover, complain,
   });
 
   // --- opening ---------------------------------------------------------------------------------
@@ -94,14 +81,7 @@ export function makeMachine({ complain, recover, doing, lang }) {
 
   // --- answers ---------------------------------------------------------------------------------
 
-  function answered() {
-    clearTimeout(asking);
-    asking = 0;
-    $("machine-work").classList.remove("asking");
-  }
-
   function show(answer, quick) {
-    answered();
     buttons();
     showStatus();
     if (answer.error) {

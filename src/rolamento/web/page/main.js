@@ -13,7 +13,8 @@ import { makeOpening } from "./opening.js";
 import { offerPictures, retheme, showPictures, stalePictures, startPictures, visibleKeys } from "./pictures.js";
 import { startSeek } from "./seek.js";
 import { packed, unpacked } from "./share.js";
-import { Store } from "./store.js";
+import { LONGEST_NAME, Store } from "./store.js";
+import { startTolerance } from "./tolerance.js";
 import { useUnits } from "./units.js";
 
 const AGAIN = 1000; // ms until a server that does not answer is asked again
@@ -25,8 +26,8 @@ let start = null; // what GET /page/start hands over
 let form = null;
 let lead = null;
 let shownSource = 0; // of the case that the form was made for
+let toleranceStale = () => {};
 let warming = 0; // timer until it is asked how far the server is
-let asking = 0; // timer of the sign that an answer is awaited
 
 // --- starting ----------------------------------------------------------------------------------
 
@@ -111,6 +112,7 @@ function arrange() {
     showCases();
     live.follow();
   } });
+  toleranceStale = startTolerance($("tolerance"), { current: () => store.current });
   watcher.disconnect();
   $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
   for (const kind of ["weibull", "signal"]) {
@@ -173,10 +175,9 @@ async function followAddress() {
   history.replaceState(null, "", "#case");
   showView();
   try {
-    const { cases, active } = await unpacked(text).catch(() => {
+    await openKept(await unpacked(text).catch(() => {
       throw new Refused({ message: say("link.broken") });
-    });
-    await openAll(cases.map((one) => ({ case: one })), active);
+    }));
   } catch (error) {
     complain(error);
     if (!store.current) opening.show(true);
@@ -185,11 +186,14 @@ async function followAddress() {
 
 // --- cases -------------------------------------------------------------------------------------
 
-async function openAll(requests, active = 0) {
+/** Cases of a link or of the last visit, as they were called. */
+const openKept = ({ cases, names, active }) => openAll(cases.map((one) => ({ case: one })), active, names);
+
+async function openAll(requests, active = 0, names = []) {
   const answers = [];
   for (const one of requests) answers.push(await ask("open", one));
   if (requests.length > 1) store.slots = [];
-  store.open(answers, active);
+  store.open(answers, active, names);
   opening.show(false);
   banner("");
   showCases();
@@ -239,7 +243,7 @@ function showSlots() {
       },
     }),
     make("input", {
-      type: "text", value: store.names[n], maxLength: 40, autocomplete: "off", "aria-label": say("compare.name", { name: store.names[n] }),
+      type: "text", value: store.names[n], maxLength: LONGEST_NAME, autocomplete: "off", "aria-label": say("compare.name", { name: store.names[n] }),
       onchange: (event) => {
         store.call(n, event.target.value);
         showCases();
@@ -289,37 +293,18 @@ const live = liveLoop(store, {
     sections: sectionsOpen().map((one) => one.dataset.section)
       .filter((key) => key !== "notes" && (!quick || seen.has(key))),
   }),
+  root: $("work"),
   waiting: () => {
     curvesStale();
-    asking ||= setTimeout(() => $("work").classList.add("asking"), 300);
+    toleranceStale();
   },
   show: showAnswer,
-  failed: async (error) => {
-    if (error instanceof Silent || [429, 503].includes(error.status)) {
-      for (const slot of store.slots) slot.status = null;
-      showStatus();
-      stale(say("stale.silent"));
-      await recover(error);
-      live.follow();
-      return;
-    }
-    answered();
-    stale(say("stale.wrong"));
-    complain(error);
-  },
+  stale, recover, complain,
 });
 
-function answered() {
-  clearTimeout(asking);
-  asking = 0;
-  $("work").classList.remove("asking");
-}
-
 function showAnswer(answer, quick, asked) {
-  answered();
   if (quick) {
     form.show(Object.keys(asked[store.active]?.changes ?? {}));
-    showStatus();
   } else showCases();
   const right = answer.cases.some((one) => !one.error);
   stale(right ? "" : say("stale.wrong"));
@@ -348,6 +333,7 @@ function showAnswer(answer, quick, asked) {
 
 /** Say of the results that they are not current; "" that they are. */
 function stale(word) {
+  showStatus();
   for (const one of [$("figures"), $("drawing"), $("compared"), $("pictures"), ...sectionsOf()]) mark(one, word);
 }
 
@@ -365,7 +351,7 @@ function showStatus() {
       return make("p", { className: "faint" }, ` ${many ? `${store.names[n]}: ` : ""}${say("first.status")}`);
     const good = !error && status?.converged && !status.advice;
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
-    const plain = error ? error.message : !status ? say("stale.waiting")
+    const plain = error ? wrongOf(error) : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
     const text = plain.charAt(0).toUpperCase() + plain.slice(1);
     const line = make("p", { className: error ? "bad" : good ? "good" : status ? "warning" : "faint" },
@@ -375,6 +361,12 @@ function showStatus() {
   const text = lines.map((one) => one.textContent).join();
   if (text === $("status").textContent) return; // it is read aloud when it changes
   $("status").replaceChildren(...lines);
+}
+
+/** What is wrong with an input, by the label of its field; there stands how to mend it. */
+function wrongOf({ field, rule, message }) {
+  const own = start.form.groups.flatMap((group) => group.fields).find((one) => one.name === field);
+  return own && rule ? `${own.label}: ${rule}` : message;
 }
 
 function banner(text) {
@@ -433,7 +425,7 @@ for (const format of ["html", "pdf"])
     }
   });
 $("share").onclick = doing(async () => {
-  const part = await packed(store.slots.map((one) => one.case), store.active);
+  const part = await packed(store.given);
   $("link").value = `${location.origin}${location.pathname}#case=${part}`;
   $("copied").textContent = "";
   $("sharing").showModal();
@@ -495,7 +487,7 @@ try {
   else {
     showView();
     try {
-      if (kept) await openAll(kept.cases.map((one) => ({ case: one })), kept.active);
+      if (kept) await openKept(kept);
       else opening.show(true);
     } catch {
       opening.show(true); // what was kept is of another version

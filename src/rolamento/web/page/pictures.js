@@ -112,9 +112,12 @@ export function stalePictures(keys) {
 /** Take over pictures of an answer; they are drawn in the next frame. */
 export function showPictures(answer) {
   const late = [];
+  const isApart = Object.keys(answer).some((key) => figures.get(key)?.apart);
   for (const [key, own] of figures) {
-    if (answer[key]) Object.assign(own, { next: answer[key], current: true, asked: false });
-    else if (!own.apart && !answer.curve && !answer.seek) late.push(key); // of an earlier case
+    if (answer[key]) {
+      Object.assign(own, { next: answer[key], current: true, asked: false });
+      own.element.classList.toggle("empty", answer[key].empty); // at once: its place among others follows
+    } else if (!own.apart && !isApart) late.push(key); // of an earlier case
   }
   stalePictures(late);
   later();
@@ -188,7 +191,6 @@ const frameOf = ({ data, layout }) => JSON.stringify([layout, data.map((one) => 
 function told(own, picture) {
   own.now = picture;
   if (own.current) own.element.classList.remove("stale");
-  own.element.classList.toggle("empty", picture.empty);
   if (own.caption.textContent !== picture.summary) {
     own.caption.textContent = picture.summary;
     own.plot.setAttribute("aria-label", `${own.label}. ${picture.summary}`);

@@ -6,6 +6,21 @@ import { typed } from "./units.js";
 
 const KEY = "seek";
 
+/** Offer what may be chosen, what is asked for most first; what was chosen stays. */
+export function choices(select, all) {
+  const chosen = select.value;
+  const option = ({ name, label }) => make("option", { value: name, textContent: label.replaceAll("_", "") }); // no letters are lowered there
+  const group = (word, ones) => (ones.length ? make("optgroup", { label: say(word) }, ...ones.map(option)) : null);
+  select.replaceChildren(...[group("seek.usual", all.filter((one) => one.usual)), group("seek.others", all.filter((one) => !one.usual))].filter(Boolean));
+  if (all.some((one) => one.name === chosen)) select.value = chosen;
+}
+
+/** The message of a problem with a question: the rule alone where there is one. */
+export const problemOf = (problem) => (problem instanceof Refused ? (problem.error.rule ?? problem.message) : say("server.silent"));
+
+/** A control with its word above it. */
+export const labelled = (word, ...controls) => make("label", {}, make("span", { textContent: say(word) }), ...controls);
+
 /** Make it in `root`; `current()` is the edited slot, `use(field, value)` puts a value into it. */
 export function startSeek(root, { current, use }) {
   const [field, output] = ["vary", "output"].map((name) => make("select", { name }));
@@ -15,7 +30,6 @@ export function startSeek(root, { current, use }) {
   const error = make("p", { className: "error", role: "alert", hidden: true });
   const statement = make("p", { className: "statement", role: "status" });
   const found = make("div", { className: "tools" });
-  const labelled = (word, ...controls) => make("label", {}, make("span", { textContent: say(word) }), ...controls);
   const form = make("form", { className: "tools", noValidate: true }, labelled("seek.vary", field), labelled("seek.output", output),
     labelled("seek.wanted", make("span", { className: "row" }, wanted, unit)), go, error);
   root.className = "seek";
@@ -43,19 +57,14 @@ export function startSeek(root, { current, use }) {
 
   function fill({ fields, outputs }) {
     units = new Map(outputs.map((one) => [one.name, one.unit]));
-    for (const [select, all] of [[field, fields], [output, outputs]]) {
-      const chosen = select.value;
-      const option = ({ name, label }) => make("option", { value: name, textContent: label });
-      const group = (word, ones) => make("optgroup", { label: say(word) }, ...ones.map(option));
-      select.replaceChildren(group("seek.usual", all.filter((one) => one.usual)), group("seek.others", all.filter((one) => !one.usual)));
-      if (all.some((one) => one.name === chosen)) select.value = chosen;
-    }
+    choices(field, fields);
+    choices(output, outputs);
     unit.textContent = units.get(output.value) ?? "";
   }
 
   function complain(problem) {
     error.hidden = !problem;
-    error.textContent = !problem ? "" : problem instanceof Refused ? (problem.error.rule ?? problem.message) : say("server.silent");
+    error.textContent = problem ? problemOf(problem) : "";
   }
 
   output.onchange = () => {

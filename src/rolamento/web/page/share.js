@@ -1,17 +1,21 @@
 // The whole case in the link: packed, and never sent to a server.
 
+import { LONGEST_NAME, MOST } from "./store.js";
+
 const MOST_LETTERS = 200_000;
 const MOST_BYTES = 500_000;
 
-/** The part behind `#case=` that holds cases: base64url of deflated JSON. */
-export async function packed(cases, active) {
-  const text = JSON.stringify({ cases, active });
+/** The part behind `#case=` that holds cases, `{cases, names, active}`: base64url of deflated JSON. */
+export async function packed(given) {
+  const text = JSON.stringify(given);
   const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   let letters = "";
   for (const byte of bytes) letters += String.fromCharCode(byte);
   return btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
+
+const calledIn = (name) => (typeof name === "string" ? name.trim().slice(0, LONGEST_NAME) : "");
 
 /** The cases of such a part; rejects where it is none, or too long. */
 export async function unpacked(text) {
@@ -32,7 +36,8 @@ export async function unpacked(text) {
   const found = JSON.parse(await new Blob(parts).text());
   const cases = found?.cases;
   const tables = (one) => one !== null && typeof one === "object" && !Array.isArray(one);
-  if (!Array.isArray(cases) || cases.length < 1 || cases.length > 2 || !cases.every(tables))
+  if (!Array.isArray(cases) || cases.length < 1 || cases.length > MOST || !cases.every(tables))
     throw new Error("link");
-  return { cases, active: found.active === 1 && cases.length === 2 ? 1 : 0 };
+  const names = cases.map((_, n) => calledIn(found.names?.[n]));
+  return { cases, names, active: Number.isInteger(found.active) && found.active > 0 && found.active < cases.length ? found.active : 0 };
 }

@@ -3,7 +3,8 @@
 import { remember, remembered } from "./ask.js";
 
 const MOST_STEPS = 200;
-const MOST = 4;
+export const MOST = 4;
+export const LONGEST_NAME = 40;
 const LETTERS = "ABCD";
 
 /**
@@ -54,7 +55,7 @@ export class Store {
 
   /** Give a case a name; an empty one gives its letter back. */
   call(n, name) {
-    this.slots[n].name = name.trim().slice(0, 40);
+    this.slots[n].name = name.trim().slice(0, LONGEST_NAME);
     this.settled();
   }
 
@@ -66,9 +67,9 @@ export class Store {
   }
 
   /** Put opened cases in place of all, or one in place of the edited one. */
-  open(answers, active = 0) {
-    const fresh = answers.map((answer) => ({
-      case: answer.case, opened: answer.case, source: ++this.#sources, changes: {}, error: null,
+  open(answers, active = 0, names = []) {
+    const fresh = answers.map((answer, n) => ({
+      case: answer.case, opened: answer.case, name: names[n] ?? "", source: ++this.#sources, changes: {}, error: null,
       inputs: answer.inputs, elements: answer.elements, status: null,
     }));
     if (fresh.length === 1 && this.slots.length > 1) this.slots[this.active] = { ...fresh[0], name: this.slots[this.active].name };
@@ -153,9 +154,14 @@ export class Store {
     this.settled();
   }
 
+  /** The cases as a link and the next visit have them. */
+  get given() {
+    return { cases: this.slots.map((one) => one.case), names: this.slots.map((one) => one.name ?? ""), active: this.active };
+  }
+
   /** Remember the cases for the next visit. */
   keep() {
-    remember(this.kept, { cases: this.slots.map((one) => one.case), names: this.slots.map((one) => one.name ?? ""), active: this.active });
+    remember(this.kept, this.given);
   }
 
   static kept(name = "cases") {
