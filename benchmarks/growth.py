@@ -59,7 +59,10 @@ def measure(most: int, study_cases: int) -> Findings:
 
 
 def _alone(cases: int) -> dict[str, Any]:
-    """Solve so many cases in a new process: seconds, and megabytes beyond those of a few cases."""
+    """Solve so many cases in a new process: its processor time in seconds, and its megabytes.
+
+    Megabytes beyond those of a few cases.
+    """
     command = [sys.executable, "-m", "benchmarks.growth", "--alone", str(cases)]
     root = Path(__file__).parents[1]
     done = subprocess.run(
@@ -75,9 +78,9 @@ def _here(cases: int) -> None:
     rolamento.solve(case, **few)
     before = peak_megabytes()
     duties = duty_sets.tilts_held(cases)
-    begin = time.perf_counter()
+    begin = time.process_time()
     batch = rolamento.solve(case, **duties)
-    seconds = time.perf_counter() - begin
+    seconds = time.process_time() - begin
     assert batch.converged.all()
     after = peak_megabytes()
     print(json.dumps({"seconds": seconds, "megabytes": after - before}))
@@ -117,7 +120,7 @@ def _with_rows() -> Iterator[tuple[str, rolamento.Case]]:
 
 
 def _microseconds(case: rolamento.Case) -> float:
-    """Time of a case of a batch, one thread, the lesser of two runs."""
+    """Processor time of a case of a batch, one thread, the lesser of two runs."""
     random = np.random.default_rng(duty_sets.SEED)
     cases = CASES_OF_BALLS * 16 // max(case.bearing.element_count, 16)
     static = 30.0 * case.bearing.element_count
@@ -129,9 +132,9 @@ def _microseconds(case: rolamento.Case) -> float:
     }
     best = math.inf
     for _ in range(2):
-        begin = time.perf_counter()
+        begin = time.process_time()
         rolamento.solve(case, threads=1, **duties)
-        best = min(best, time.perf_counter() - begin)
+        best = min(best, time.process_time() - begin)
     return 1e6 * best / cases
 
 
@@ -218,7 +221,7 @@ def draw(findings: Findings, path: Path) -> None:
     figure, axes = plt.subplots(1, 3, figsize=(11.0, 3.4), layout="constrained")
     cases, seconds = points("growth over cases", "time")
     _, megabytes = points("growth over cases", "memory")
-    axes[0].loglog(cases, seconds, "o-", label="time, s")
+    axes[0].loglog(cases, seconds, "o-", label="processor time, s")
     axes[0].loglog(cases, [m or math.nan for m in megabytes], "s--", label="memory, MB")
     axes[0].set_xlabel("cases, 16 balls, two threads")
     axes[0].legend()

@@ -1,21 +1,24 @@
 """What the dearest case costs: the distribution of the time of one case, over random ones.
 
 Random bearings and duties as in `robustness`. All cases of a bearing are solved in one batch, one
-thread; what it takes is shared out evenly to those of the fast path. Each one that took the safe
-path is solved again by itself, and timed with all the Python around it. Where the bound on the work
-gave a case up, it is solved once more with ten times the bound, to count what that loses.
+thread; what it takes of the processor is shared out evenly to those of the fast path. Each one that
+took the safe path is solved again by itself, and timed with all the Python around it. Where the
+bound on the work gave a case up, it is solved once more with ten times the bound, to count what
+that loses. Rings that turn against each other at light load are a set of their own.
 """
 
 from __future__ import annotations
 
 import time
+from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
 
 import rolamento
+from benchmarks import laws
 from benchmarks.duty_sets import Floats
-from benchmarks.figures import Figure, Findings, below
+from benchmarks.figures import Figure, Findings, Target, below
 from benchmarks.robustness import CASES_PER_BEARING, KINDS, SEED, random_case, random_duties
 from rolamento import status
 from rolamento.rows.ball.row import BallRow
@@ -23,51 +26,79 @@ from rolamento.rows.ball.run import MOST_WORK, solve_columns
 from rolamento.system import spread
 
 NAME: Final = "time of one case"
+AGAINST: Final = "the same, rings against each other at light load"
 PARTS: Final = (50.0, 99.0, 99.9)
 TARGETS: Final = {99.9: below(2.0)}
 LONGEST: Final = below(50.0)
 
 
 def measure(cases: int) -> Findings:
-    """Time so many random cases."""
+    """Time so many random cases, and a hundredth as many of rings against each other."""
+    findings = _measured(NAME, _random(cases), TARGETS)
+    findings.add(_measured(AGAINST, _against(cases // 100), {}))
+    return findings
+
+
+def _random(cases: int) -> Iterator[tuple[rolamento.Case, dict[str, Floats]]]:
     random, kind = np.random.default_rng(SEED), KINDS["random cases"]
-    times, lost = [], 0
-    for first in range(0, cases, CASES_PER_BEARING):
-        lot = min(CASES_PER_BEARING, cases - first)
+    for lot in _lots(cases):
         case = random_case(random, kind.control)
-        duties = random_duties(random, case.bearing, lot, counter_rotating=False)
+        yield case, random_duties(random, case.bearing, lot, counter_rotating=False)
+
+
+def _against(cases: int) -> Iterator[tuple[rolamento.Case, dict[str, Floats]]]:
+    """The duties of `laws` at light load, of which a few hundredths have no equilibrium."""
+    random = np.random.default_rng(SEED)
+    for lot in _lots(cases):
+        case = laws.random_case(random)
+        yield case, laws.turned_against(random, laws.random_duty(random, case.bearing, lot))
+
+
+def _lots(cases: int) -> Iterator[int]:
+    return (min(CASES_PER_BEARING, cases - k) for k in range(0, cases, CASES_PER_BEARING))
+
+
+def _measured(
+    name: str,
+    lots: Iterator[tuple[rolamento.Case, dict[str, Floats]]],
+    targets: dict[float, Target],
+) -> Findings:
+    times, lost = [np.zeros(0)], 0
+    for case, duties in lots:
         own, more = _times(case, duties)
         times.append(own)
         lost += more
     all_times = 1e3 * np.concatenate(times)
+    if not all_times.size:
+        return Findings.none()
     figures = [
-        Figure(NAME, f"{part:g} % of the cases within", value, "ms", TARGETS.get(part))
+        Figure(name, f"{part:g} % of the cases within", value, "ms", targets.get(part))
         for part, value in zip(PARTS, np.percentile(all_times, PARTS), strict=True)
     ]
-    figures.append(Figure(NAME, "the longest", float(all_times.max()), "ms", LONGEST))
-    figures.append(Figure(NAME, "cases", float(all_times.size)))
-    figures.append(Figure(NAME, "given up that ten times the work solves", float(lost)))
+    figures.append(Figure(name, "the longest", float(all_times.max()), "ms", LONGEST))
+    figures.append(Figure(name, "cases", float(all_times.size)))
+    figures.append(Figure(name, "given up that ten times the work solves", float(lost)))
     return Findings(figures, [], [])
 
 
 def _times(case: rolamento.Case, duties: dict[str, Floats]) -> tuple[Floats, int]:
-    """Seconds for every case, and how many only more work brings to a result."""
+    """Processor time of every case in seconds, and how many only more work brings to a result."""
     spread_cases = spread(case, duties)
     row = spread_cases.rows[0].row
     assert isinstance(row, BallRow)
     p = row.asked(spread_cases.free, spread_cases.load, spread_cases.displacement).p
     balls = case.bearing.element_count
-    control = np.ones((1, balls))
+    control = np.full((1, balls), -1.0 if case.model.raceway_control == "inner" else 1.0)
     solve_columns(p.of([0]), control, balls, threads=1)  # to load what it needs
-    begin = time.perf_counter()
+    begin = time.process_time()
     solution = solve_columns(p, control, balls, threads=1)
-    whole = time.perf_counter() - begin
+    whole = time.process_time() - begin
     own, lost = np.zeros(p.cases), 0
     for index in np.flatnonzero(solution.safe):
         column = p.of([index])
-        begin = time.perf_counter()
+        begin = time.process_time()
         solve_columns(column, control, balls, threads=1)
-        own[index] = time.perf_counter() - begin
+        own[index] = time.process_time() - begin
         if solution.code[index] == status.NOT_CONVERGED:
             again = solve_columns(column, control, balls, threads=1, most_work=10.0 * MOST_WORK)
             lost += int(again.code[0] == status.CONVERGED)

@@ -105,7 +105,8 @@ def numbers_with_paths(page: Document, written: dict[str, Any]) -> list[tuple[fl
 
 @pytest.mark.parametrize("lang", ["en", "pt"])
 @pytest.mark.parametrize("names", [("6305_life",), ("6305_film",), ("6012_pair",),
-                                   ("218_combined", "218_hybrid")])  # fmt: skip
+                                   ("218_combined", "218_hybrid"),
+                                   ("nu205_gear",)])  # fmt: skip
 @pytest.mark.thirds
 def test_every_number_is_one_of_the_json(names: tuple[str, ...], lang: str) -> None:
     report = of(*names)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import re
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +32,8 @@ from rolamento.charts.drawing import draw
 from rolamento.charts.frame import figure_of
 from rolamento.charts.palette import DARK, LIGHT, SERIES
 from rolamento.charts.plotly import picture
+from rolamento.document import Document, Figure, Section
+from rolamento.document.html import html
 
 STYLE = Path(rolamento.__file__).parent / "web" / "page" / "pictures.css"
 X = np.array([0.0, 1.0, 2.0, 3.0])
@@ -163,3 +166,16 @@ def test_races_rows_and_cases_differ_in_black_and_white() -> None:
         assert one.dash != other.dash
     assert len({look.dash for look in SERIES}) == len({look.mark for look in SERIES}) == 7
     assert series_look(7) == SERIES[0]
+
+
+# --- those who cannot see it ----------------------------------------------------------------------
+
+
+def test_a_page_says_what_its_charts_say() -> None:
+    captions = {"Load over speed.": EVERY, "All cases": EVERY, "Lives": BARS, "": EVERY}
+    figures = tuple(Figure(text, partial(draw, chart), "load") for text, chart in captions.items())
+    own = Figure("Bearing", partial(draw, EVERY), "own", alternative="A bearing in section.")
+    text = html(Document("Loads", (Section("", (*figures, own)),)))
+    said = EVERY.alternative
+    told = [said, f"All cases. {said}", "Lives", said, "A bearing in section."]
+    assert re.findall('role="img" aria-label="([^"]*)"', text) == told

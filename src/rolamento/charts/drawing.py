@@ -87,6 +87,7 @@ def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True, title: 
     if axes is None:
         axes = (new_polar_figure() if chart.polar else new_figure())[1]
     axes = _turned(axes) if chart.polar else require_axes(axes)
+    axes.set_label(chart.alternative)
     if not chart.series:
         return empty_frame(axes, chart.conclusion)
     draw_series(chart, axes)

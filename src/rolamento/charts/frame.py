@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
@@ -14,6 +14,7 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
 from rolamento.charts.palette import LIGHT
+from rolamento.charts.style import new_stacked_figure, styled
 from rolamento.charts.texts import marked_number, numbers, shown_text
 from rolamento.errors import InputError
 from rolamento.words import manner, said
@@ -149,6 +150,29 @@ def add_title(figure: Figure, title: str) -> None:
     width = int(figure.get_figwidth() * _TITLE_CHARACTERS_PER_INCH)
     lines = textwrap.wrap(shown_text(title, 4 * width), width, max_lines=2, placeholder=" …")
     figure.suptitle("\n".join(lines), fontsize=9.5, parse_math=False)
+
+
+def panels(*drawn: Callable[[Axes], object], title: str = "", height: float = 90.0) -> Figure:
+    """Return a new figure of frames one below the other, with a title over all.
+
+    Parameters
+    ----------
+    drawn
+        What draws on the axes of each frame; only the last keeps the label of its axis across.
+    title
+        Over all; none if empty.
+    height
+        In mm.
+    """
+    with styled():
+        figure, frames = new_stacked_figure(len(drawn), height=height)
+        for draw, axes in zip(drawn, frames, strict=True):
+            draw(axes)
+        for axes in frames[:-1]:
+            axes.set_xlabel("")
+        if title:
+            add_title(figure, title)
+    return figure
 
 
 def empty_frame(axes: Axes, message: str) -> Axes:

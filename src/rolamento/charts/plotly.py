@@ -259,8 +259,7 @@ def _named(hover: str) -> str:
 
 
 def _stroke(look: Look) -> dict[str, Any]:
-    return {"color": look.color, "dash": _DASHES.get(look.dash, look.dash),
-            "width": 2 * look.width}  # fmt: skip
+    return {"color": look.color, "dash": _DASHES.get(look.dash, look.dash), "width": 2 * look.width}
 
 
 def _line(chart: Chart, line: Line, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:
@@ -324,11 +323,7 @@ def _judged(
     """Return a line where it holds, and faintly where it does not."""
     faint = {"opacity": FAINT, "name": "" if valid.any() else line.name}
     return [
-        {
-            **_line(chart, line, limits),
-            "y": numbers(np.where(widened(own), line.y, np.nan)),
-            **more,
-        }
+        {**_line(chart, line, limits), "y": numbers(np.where(widened(own), line.y, np.nan)), **more}
         for own, more in ((valid, {}), (~valid, faint))
         if own.any()
     ]

@@ -107,10 +107,10 @@ def oil(
         found = choose_oil_of_case(chosen, kappa, *ends)
         if json is not None:
             put_json({"schema": _SCHEMA, "kind": "oil", **found.to_mapping()}, json)
-        from rolamento.pages.given import untitled
+        from rolamento.pages.given import title_of
         from rolamento.pages.grease import oil_page
 
-        title = chosen.title or chosen.bearing.designation or untitled(chosen)
+        title = chosen.title or chosen.bearing.designation or title_of(chosen)
         outputs.show(lambda: oil_page(found, title), json)
     raise typer.Exit(SOLVED if found.chosen is not None else NO_RESULT)
 

@@ -44,7 +44,7 @@ from rolamento.document.model import (
     Title,
     Tone,
 )
-from rolamento.document.picture import formula, picture_bytes
+from rolamento.document.picture import alternative_of, formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
@@ -217,12 +217,13 @@ class _Setter:
         return ""
 
     def _figure(self, block: Figure) -> str:
-        alternative = escape(_plain(block.alternative or block.caption))
         name = self._picture(block) if self._picture else None
+        figure = block.draw() if name is None and block.draw is not None else None
+        alternative = escape(_plain(alternative_of(block, figure)))
         if name is not None:
             shown = f'<img src="{escape(name)}" alt="{alternative}">'
-        elif block.draw is not None:
-            drawn = picture_bytes(block.draw(), "svg", transparent=True).decode("utf-8")
+        elif figure is not None:
+            drawn = picture_bytes(figure, "svg", transparent=True).decode("utf-8")
             shown = _inline(drawn, f"p{next(self._drawn)}", alternative)
         elif block.sketch is not None:
             lines = ("".join(_toned(*piece) for piece in line) for line in block.sketch(80, True))

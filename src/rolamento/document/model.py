@@ -16,6 +16,7 @@ from rolamento.records import frozen
 from rolamento.words import language
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Picture
 
 __all__ = [
@@ -133,7 +134,7 @@ class KeyValues:
     label_tone: Tone = "faint"
 
 
-@frozen(kw_only=True)
+@frozen
 class Column:
     """A column of a table.
 
@@ -143,10 +144,10 @@ class Column:
         A symbol or words; a line break where a narrow medium begins a new line.
     values
         One a row; numbers in SI.
-    unit
-        One of `rolamento.words.UNITS`; stands below the head, or behind it.
     key
         Its name in files, such as ``"inner_load"``; by default the head.
+    unit
+        One of `rolamento.words.UNITS`; stands below the head, or behind it.
     figures, most
         The greatest number has so many significant figures, all have its decimals, at most so
         many.
@@ -169,8 +170,8 @@ class Column:
 
     head: str
     values: Sequence[CellContent]
-    unit: str = ""
     key: str = ""
+    unit: str = ""
     figures: int = 4
     most: int = 2
     form: str = ""
@@ -195,7 +196,7 @@ class Break:
     legend: str = ""
 
 
-@frozen(kw_only=True)
+@frozen
 class Table:
     """Columns beside each other.
 
@@ -264,7 +265,7 @@ class Bars:
     longest: int = 24
 
 
-@frozen(kw_only=True)
+@frozen
 class Figure:
     """A picture, and a sketch of it for media that show only characters.
 
@@ -273,11 +274,12 @@ class Figure:
     caption
         What it shows.
     draw
-        Returns it as a figure of Matplotlib; it is drawn only where a medium shows it.
-    alternative
-        What it shows, for those who cannot see it; by default the caption.
+        Returns it as a figure of Matplotlib, or the axes of one; it is drawn only where a medium
+        shows it.
     key
         Its name, such as ``"rosette"``.
+    alternative
+        What it shows, for those who cannot see it; by default what its charts say, or the caption.
     sketch
         Called with the characters that there is room for, and whether braille and blocks can be
         shown; returns lines of (text, tone) pairs.
@@ -286,9 +288,9 @@ class Figure:
     """
 
     caption: str
-    draw: Callable[[], Picture] | None = None
-    alternative: str = ""
+    draw: Callable[[], Picture | Axes] | None = None
     key: str = ""
+    alternative: str = ""
     sketch: Callable[[int, bool], Sequence[Sequence[tuple[str, Tone]]]] | None = None
     width: int = 0
 

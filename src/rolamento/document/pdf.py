@@ -46,7 +46,7 @@ from rolamento.document.model import (
     Table,
     Title,
 )
-from rolamento.document.picture import formula, picture_bytes
+from rolamento.document.picture import alternative_of, formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
@@ -311,8 +311,9 @@ def _equation(block: Equation) -> list[dict[str, Any]]:
 
 def _figure(block: Figure) -> list[dict[str, Any]]:
     svg, sketch, width = None, [], 0.0
-    if block.draw is not None:
-        svg = picture_bytes(block.draw(), "svg", transparent=True).decode("utf-8")
+    drawn = None if block.draw is None else block.draw()
+    if drawn is not None:
+        svg = picture_bytes(drawn, "svg", transparent=True).decode("utf-8")
         found = _WIDTH.search(svg)
         width = float(found[1]) if found else 400.0
     elif block.sketch is not None:
@@ -326,7 +327,7 @@ def _figure(block: Figure) -> list[dict[str, Any]]:
             "width": width,
             "sketch": sketch,
             "caption": _text(block.caption),
-            "alternative": _plain(block.alternative or block.caption),
+            "alternative": _plain(alternative_of(block, drawn)),
         }
     ]
 

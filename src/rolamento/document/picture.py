@@ -10,9 +10,12 @@ from typing import TYPE_CHECKING, Any, Final
 from rolamento.records import frozen
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Formula", "formula", "picture_bytes"]
+    from rolamento.document.model import Figure as Shown
+
+__all__ = ["Formula", "alternative_of", "formula", "picture_bytes"]
 
 # Nothing that tells when or with which release a figure was drawn.
 _METADATA: Final[dict[str, dict[str, Any]]] = {
@@ -33,11 +36,31 @@ _CLOSE: Final = 79
 _SIZE: Final = 100.0
 
 
-def picture_bytes(figure: Figure, kind: str, *, transparent: bool = False) -> bytes:
-    """Return a figure as a file of kind ``"png"``, ``"svg"`` or ``"pdf"``."""
+def alternative_of(shown: Shown, drawn: Figure | Axes | None = None) -> str:
+    """Return what a picture shows, for those who cannot see it.
+
+    Parameters
+    ----------
+    shown
+        The block of a page.
+    drawn
+        What it has drawn; axes carry what their chart says as their label.
+    """
+    figure: Any = None if drawn is None else drawn.get_figure(root=True)
+    labels = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
+    told = ". ".join(dict.fromkeys(one for one in labels if one and one[0] not in "_<"))
+    caption = shown.caption.rstrip(".")
+    if shown.alternative or not told:
+        return shown.alternative or shown.caption
+    return told if caption in told else f"{caption}. {told}"
+
+
+def picture_bytes(drawn: Figure | Axes, kind: str, *, transparent: bool = False) -> bytes:
+    """Return a figure, or that of axes, as a file of kind ``"png"``, ``"svg"`` or ``"pdf"``."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+    figure: Any = drawn.get_figure(root=True)
     content = io.BytesIO()
     if figure.canvas is None:
         FigureCanvasAgg(figure)

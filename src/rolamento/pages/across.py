@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.charts.axes_units import read_values
-from rolamento.document import Column, Notes, Remark
+from rolamento.document import Column, Notes, Remark, Statement
 from rolamento.words import UNITS, Note, manner, said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from rolamento.case.fields import Field
     from rolamento.words.headlines import Qualified
 
-__all__ = ["cautions_over", "field_column", "place_text", "read_text"]
+__all__ = ["cautions_over", "failures", "field_column", "place_text", "read_text"]
 
 _DECADES: Final = 100.0
 
@@ -27,10 +28,10 @@ def field_column(field: Field, values: NDArray[np.float64]) -> Column:
     symbol = read_values(field, values)[1]
     wide = np.abs(values).max() > _DECADES * np.abs(values).min() > 0.0
     return Column(
-        head="",
-        values=values.tolist(),
-        unit=symbol if symbol in UNITS else "",
-        key=field.name,
+        "",
+        values.tolist(),
+        field.name,
+        symbol if symbol in UNITS else "",
         figures=5,
         most=6,
         form=f".4 [{symbol}]" if wide and symbol in UNITS else "",
@@ -68,3 +69,17 @@ def cautions_over(
 
     remarks = tuple(Remark(text(note, where), note.key, "warning") for note, where in found)
     return (Notes(remarks),) if remarks else ()
+
+
+def failures(status: NDArray[np.str_]) -> list[Statement]:
+    """Say how many points of a curve have no result, and why; nothing where all have one."""
+    failed = status[status != "converged"]
+    if not failed.size:
+        return []
+    text = said(
+        "{failed} of {count} points without a result: {reasons}",
+        failed=int(failed.size),
+        count=int(status.size),
+        reasons=[reason(code) for code in np.unique(failed).tolist()],
+    )
+    return [Statement(text, "bad-strong", indent=2)]

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import exp, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
@@ -30,8 +31,6 @@ from rolamento.words.naming import one_line
 from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.noise import MeasuredNoise, NoiseResult
 
 __all__ = ["anderon_page", "noise_statement"]
@@ -63,7 +62,7 @@ def anderon_page(found: NoiseResult) -> Document:
         if found.trend is not None:
             sections += _over_time(found.trend)
     sections += notes
-    sections.append(Section("", tuple(_figures(found)), key="figures"))
+    sections.append(Section("", tuple(_figures(found)), "figures"))
     sections.append(in_files("levels", _COLUMNS, _levels(found)))
     return Document(_title(found), tuple(sections), kind="anderon", main="levels")
 
@@ -138,7 +137,7 @@ def _rejections(found: NoiseResult) -> Iterable[str]:
 def _statement(found: NoiseResult) -> Section:
     tone: Tone = "good-strong" if found.full_scales else "warning-strong"
     tone = "bad-strong" if "rejected" in found.verdicts else tone
-    return Section("", (Statement(noise_statement(found), tone),), key="verdict")
+    return Section("", (Statement(noise_statement(found), tone),), "verdict")
 
 
 # --- one signal ------------------------------------------------------------------------------
@@ -158,7 +157,7 @@ def _facts(one: MeasuredNoise) -> Section:
             ),
         ),
     )
-    return Section("", (Title(one_line(one.title)), KeyValues(entries)), key="given")
+    return Section("", (Title(one_line(one.title)), KeyValues(entries)), "given")
 
 
 def _speed(one: MeasuredNoise) -> str:
@@ -173,26 +172,20 @@ def _bands(found: NoiseResult) -> Section:
     one, scales = found.measured[0], found.scales_of(found.measured[0])
     bands = one.noise.bands
     columns = [
-        Column(head="", values=[band_name(band.name) for band in bands], key="band"),
+        Column("", [band_name(band.name) for band in bands], "band"),
         Column(
-            head=said("band"),
-            values=["–".join(manner().fixed(edge, 0) for edge in band.band) for band in bands],
-            unit="Hz",
+            said("band"),
+            ["–".join(manner().fixed(edge, 0) for edge in band.band) for band in bands],
+            "edges",
+            "Hz",
             align="right",
-            key="edges",
         ),
         *(
-            Column(
-                head=head,
-                values=[band.band[place] for band in bands],
-                unit="Hz",
-                key=key,
-                only_in_files=True,
-            )
+            Column(head, [band.band[place] for band in bands], key, "Hz", only_in_files=True)
             for place, (head, key) in enumerate(((said("from"), "low"), (said("to"), "high")))
         ),
-        Column(head="RMS", values=[band.velocity for band in bands], unit="µm/s", key="velocity"),
-        Column(head="anderon", values=[band.anderons for band in bands], figures=3, key="anderons"),
+        Column("RMS", [band.velocity for band in bands], "velocity", "µm/s"),
+        Column("anderon", [band.anderons for band in bands], "anderons", figures=3),
         *(_verdicts(found) if scales else ()),
     ]
     factors = ", ".join(
@@ -210,8 +203,8 @@ def _bands(found: NoiseResult) -> Section:
         speed=one.noise.speed,
         factors=factors,
     )
-    table = Table(columns=tuple(columns), key="bands", legends=(legend,))
-    return Section(said("Bands"), (table,), key="bands")
+    table = Table(tuple(columns), "bands", legends=(legend,))
+    return Section(said("Bands"), (table,), "bands")
 
 
 def _verdict(verdict: str) -> str:
@@ -229,22 +222,20 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
     bands = one.noise.bands
     full = [scales.get(band.name, nan) for band in bands]
     verdicts = [found.verdict_of(0, band.name) for band in bands]
-    yield Column(head=said("full scale"), values=full, form=".4", key="full_scale")
+    yield Column(said("full scale"), full, "full_scale", form=".4")
     yield Column(
-        head=said("ratio"),
-        values=[band.anderons / scale for band, scale in zip(bands, full, strict=True)],
-        unit="%",
+        said("ratio"),
+        [band.anderons / scale for band, scale in zip(bands, full, strict=True)],
+        "of_full_scale",
+        "%",
         form=".1f [%]",
-        key="of_full_scale",
     )
+    yield Column(said("limit"), [found.part * scale for scale in full], "limit", form=".4")
     yield Column(
-        head=said("limit"), values=[found.part * scale for scale in full], form=".4", key="limit"
-    )
-    yield Column(
-        head=said("verdict"),
-        values=[_verdict(verdict) for verdict in verdicts],
+        said("verdict"),
+        [_verdict(verdict) for verdict in verdicts],
+        "verdict",
         tones=[_TONES[verdict] for verdict in verdicts],
-        key="verdict",
     )
 
 
@@ -253,36 +244,28 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
 
 def _signals(found: NoiseResult) -> Section:
     columns = (
+        Column("", [one_line(one.title, _LONGEST_NAME) for one in found.measured], "signal"),
         Column(
-            head="",
-            values=[one_line(one.title, _LONGEST_NAME) for one in found.measured],
-            key="signal",
-        ),
-        Column(
-            head=said("time"),
-            values=[HOUR * one.hours for one in found.measured],
-            unit="h",
-            form=".6 [h]",
-            key="hours",
+            said("time"), [HOUR * one.hours for one in found.measured], "hours", "h", form=".6 [h]"
         ),
         *(
             Column(
-                head=band_name(name),
-                values=[one.noise.of(name).anderons for one in found.measured],
+                band_name(name),
+                [one.noise.of(name).anderons for one in found.measured],
+                name,
                 figures=3,
-                key=name,
             )
             for name in BANDS
         ),
         Column(
-            head=said("verdict"),
-            values=[_verdict(verdict) for verdict in found.verdicts],
+            said("verdict"),
+            [_verdict(verdict) for verdict in found.verdicts],
+            "verdict",
             tones=[_TONES[verdict] for verdict in found.verdicts],
-            key="verdict",
         ),
     )
-    table = Table(columns=columns, key="signals", legends=(said("Bands in anderon."),))
-    return Section(said("Signals"), (table,), key="signals")
+    table = Table(columns, "signals", legends=(said("Bands in anderon."),))
+    return Section(said("Signals"), (table,), "signals")
 
 
 def _over_time(trend: AnderonTrend) -> list[Section]:
@@ -291,34 +274,30 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
         return []
     times = ((said("from"), "rejected_after"), (said("to"), "rejected_by"))
     columns = (
-        Column(head="", values=[band_name(band.name) for band in bands], key="band"),
+        Column("", [band_name(band.name) for band in bands], "band"),
+        Column(said("first"), [band.anderons[0] for band in bands], "first", form=".3"),
+        Column(said("last"), [band.anderons[-1] for band in bands], "last", form=".3"),
+        Column(said("ratio"), [band.ratio for band in bands], "ratio", form=".3"),
         Column(
-            head=said("first"), values=[band.anderons[0] for band in bands], form=".3", key="first"
-        ),
-        Column(
-            head=said("last"), values=[band.anderons[-1] for band in bands], form=".3", key="last"
-        ),
-        Column(head=said("ratio"), values=[band.ratio for band in bands], form=".3", key="ratio"),
-        Column(
-            head=said("growth per 100 h"),
-            values=[exp(min(100.0 * band.growth, 700.0)) - 1.0 for band in bands],
-            unit="%",
+            said("growth per 100 h"),
+            [exp(min(100.0 * band.growth, 700.0)) - 1.0 for band in bands],
+            "growth_per_100_h",
+            "%",
             form=".3 [%]",
-            key="growth_per_100_h",
         ),
         Column(
-            head=said_in("noise", "rejected"),
-            values=[_rejected(band) for band in bands],
-            unit="h",
+            said_in("noise", "rejected"),
+            [_rejected(band) for band in bands],
+            "rejected",
+            "h",
             align="right",
-            key="rejected",
         ),
         *(
             Column(
-                head=head,
-                values=[_in_seconds(getattr(band, key)) for band in bands],
-                unit="h",
-                key=key,
+                head,
+                [_in_seconds(getattr(band, key)) for band in bands],
+                key,
+                "h",
                 only_in_files=True,
             )
             for head, key in times
@@ -328,8 +307,8 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
         "Ratio: last to first. Growth: of the logarithm, by least squares through all measurements."
         " Rejected: between the last measurement before and the first above the limit."
     )
-    table = Table(columns=columns, key="trend", legends=(legend,))
-    return [Section(said("Over the test"), (table,), key="trend")]
+    table = Table(columns, "trend", legends=(legend,))
+    return [Section(said("Over the test"), (table,), "trend")]
 
 
 def _in_seconds(hours: float) -> CellContent:
@@ -346,34 +325,16 @@ def _rejected(band: BandTrend) -> str:
 
 
 def _figures(found: NoiseResult) -> Iterable[Figure]:
+    one = found.measured[0]
     if len(found.measured) == 1:
         yield Figure(
-            caption=said("Noise in thirds of octaves, with the level and limit of each band"),
-            draw=_over_frequency(found),
-            key="noise",
+            said("Noise in thirds of octaves, with the level and limit of each band"),
+            lambda: plots.noise_figure(one.noise, limits=found.limits_of(one)),
+            "noise",
         )
     elif found.trend is not None:
-        yield Figure(
-            caption=said("Levels of the bands over the test"), draw=_over_hours(found), key="trend"
-        )
-
-
-def _over_frequency(found: NoiseResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.anderon import noise_figure
-
-        one = found.measured[0]
-        return noise_figure(one.noise, limits=found.limits_of(one))
-
-    return draw
-
-
-def _over_hours(found: NoiseResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.anderon import noise_trend_figure
         from rolamento.weibull import parse_trend
 
-        limits = found.limits_of(found.measured[0])
-        return noise_trend_figure(parse_trend(found.record()), limits=limits)
-
-    return draw
+        trend, limits = parse_trend(found.record()), found.limits_of(one)
+        caption = said("Levels of the bands over the test")
+        yield Figure(caption, lambda: plots.noise_trend_figure(trend, limits=limits), "trend")

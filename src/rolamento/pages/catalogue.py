@@ -145,13 +145,13 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> Do
         return Document(title, (Section(blocks=(Statement(said("no match")),)),), "catalogue")
     lengths = {"bore": "d", "outside_diameter": "D", "width": "B"}
     columns = (
-        Column(head="", key="designation", values=[b.designation for b in found], tone="strong"),
-        Column(head="", key="maker", values=[bearing.maker for bearing in found]),
+        Column("", [b.designation for b in found], "designation", tone="strong"),
+        Column("", [bearing.maker for bearing in found], "maker"),
         *(_column(found, name, head, "mm") for name, head in lengths.items()),
         _column(found, "contact_angle", "α", "°"),
         _column(found, "dynamic_rating", "C", "N"),
         _column(found, "static_rating", "C0", "N"),
-        Column(head=said("balls"), key="balls", values=[_balls(b) for b in found], align="right"),
+        Column(said("balls"), [_balls(b) for b in found], "balls", align="right"),
     )
     if all(bearing.has_rollers for bearing in found):
         names = {"inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w"}
@@ -159,13 +159,13 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> Do
         told = [one for one in raceways if any(value is not None for value in one.values)]
         columns = (*columns[:5], *told, *columns[6:-1])
     more = said("… and more: type more of the designation, or use --most")
-    table = Table(columns=columns, key="bearings", legends=() if is_all else (more,))
+    table = Table(columns, "bearings", legends=() if is_all else (more,))
     return Document(title, (Section(blocks=(table,), key="bearings"),), "catalogue")
 
 
 def _column(found: Sequence[CatalogueBearing], name: str, head: str, unit: str) -> Column:
     values = [getattr(bearing, name) for bearing in found]
-    return Column(head=head, key=name, values=values, unit=unit, form=f".5 [{unit}]", align="right")
+    return Column(head, values, name, unit, form=f".5 [{unit}]", align="right")
 
 
 def _balls(bearing: CatalogueBearing) -> str:
@@ -224,10 +224,10 @@ def bearing_page(geometry: InternalGeometry) -> Document:
 def _sisters(sisters: Sequence[CatalogueBearing]) -> Section:
     """Bearings of the same size whose balls are published, and how to take one."""
     columns = (
-        Column(head="", key="designation", values=[b.designation for b in sisters], tone="strong"),
-        Column(head="", key="maker", values=[bearing.maker for bearing in sisters]),
+        Column("", [b.designation for b in sisters], "designation", tone="strong"),
+        Column("", [bearing.maker for bearing in sisters], "maker"),
         _column(sisters, "contact_angle", "α", "°"),
-        Column(head="Z", key="ball_count", values=[b.ball_count for b in sisters], align="right"),
+        Column("Z", [b.ball_count for b in sisters], "ball_count", align="right"),
         _column(sisters, "ball_diameter", "D", "mm"),
         _column(sisters, "pitch_diameter", "d_m", "mm"),
         _column(sisters, "dynamic_rating", "C", "N"),
@@ -238,7 +238,7 @@ def _sisters(sisters: Sequence[CatalogueBearing]) -> Section:
         ' one of them, give its designation, such as designation = "{name}".',
         name=sisters[0].designation,
     )
-    table = Table(columns=columns, key="sisters", legends=(legend,))
+    table = Table(columns, "sisters", legends=(legend,))
     return Section(said("Bearings of the same size with published balls"), (table,), "sisters")
 
 
@@ -255,8 +255,8 @@ def _meanings(geometry: InternalGeometry) -> list[str]:
 
 def _published(bearing: CatalogueBearing) -> Section:
     table = Table(
-        columns=_named_figures(bearing.figures, _names_of(bearing)),
-        key="published",
+        _named_figures(bearing.figures, _names_of(bearing)),
+        "published",
         headless=True,
         legends=tuple(dict.fromkeys(bearing.sources.values())),
     )
@@ -282,9 +282,9 @@ def _named_figures(
         for value, (digits, unit) in zip(figures.values(), forms, strict=True)
     ]
     return (
-        Column(head="", key="quantity", values=[said(names[name]) for name in figures]),
-        Column(head="", key="value", values=numbers, align="right"),
-        Column(head="", key="unit", values=[unit for _, unit in forms], align="left"),
+        Column("", [said(names[name]) for name in figures], "quantity"),
+        Column("", numbers, "value", align="right"),
+        Column("", [unit for _, unit in forms], "unit", align="left"),
     )
 
 
@@ -300,15 +300,10 @@ def _internal(geometry: InternalGeometry) -> Section:
     sizes = [ball_name(geometry.fields[name]) if name == "ball_diameter" else "" for name in told]
     columns = (
         *_named_figures(told, _names_of(geometry.bearing)),
-        Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),
-        Column(
-            head="",
-            key="size",
-            values=["" if size.endswith("mm") else size for size in sizes],
-            tone="faint",
-        ),
+        Column("", [said(_ORIGINS[one]) for one in origins], "origin", tones=tones),
+        Column("", ["" if size.endswith("mm") else size for size in sizes], "size", tone="faint"),
     )
-    blocks: list[Block] = [Table(columns=columns, key="internal_geometry", headless=True)]
+    blocks: list[Block] = [Table(columns, "internal_geometry", headless=True)]
     if geometry.is_inferred:
         first = geometry.candidates[0]
         figures = ", ".join(_SHORT_NAMES.get(name, name) for name in first.rests_on)
@@ -357,9 +352,7 @@ def _column_to_the_right(
     tones: Sequence[Tone],
 ) -> Column:
     own = f"{form} [{unit}]" if unit else form
-    return Column(
-        head=head, key=key, values=values, form=own, unit=unit, tones=tones, align="right"
-    )
+    return Column(head, values, key, unit, form=own, tones=tones, align="right")
 
 
 def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) -> Section:
@@ -391,7 +384,7 @@ def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) 
         of(said("filling"), "filling", ".0f", "%"),
         of("C", "dynamic_error", "+.1f", "%"),
         of("C0", "static_error", "+.1f", "%"),
-        Column(head=said("misfit"), key="misfit", values=misfits, tones=tones, align="left"),
+        Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
         of(said("share"), "weight", ".0f", "%"),
     )
     legend = said(
@@ -399,7 +392,7 @@ def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) 
         " misfit up to 1: as good as usual; ×: one figure is off by more than three tolerances;"
         " share: of the likelihood."
     )
-    table = Table(columns=columns, key="candidates", legends=(legend,), gap=1, units="behind")
+    table = Table(columns, "candidates", legends=(legend,), gap=1, units="behind")
     return Section(said("Candidates that fit the ratings"), (table,), "candidates")
 
 
@@ -421,9 +414,9 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
         column("Z", "ball_count", [one.ball_count for one in candidates], ".5"),
         column("D", "ball_diameter", [one.ball_diameter for one in candidates], ".3f", "mm"),
         Column(
-            head="",
-            key="size",
-            values=[size if size.endswith("in") else "" for size in sizes],
+            "",
+            [size if size.endswith("in") else "" for size in sizes],
+            "size",
             tones=tones,
             align="left",
         ),
@@ -435,7 +428,7 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
         errors("C", "dynamic_error", "+.1f", "%"),
         errors("C0", "static_error", "+.1f", "%"),
         errors("f0", "f0_error", "+.2f"),
-        Column(head=said("misfit"), key="misfit", values=misfits, tones=tones, align="left"),
+        Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
         column(said("share"), "weight", [one.weight for one in candidates], ".0f", "%"),
     )
     legend = said(
@@ -443,6 +436,6 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
         " one figure is off by more than three tolerances; share: of the likelihood; f_i, f_o: the"
         " most open grooves that the ratings allow."
     )
-    table = Table(columns=columns, key="candidates", legends=(legend,), gap=1, units="behind")
+    table = Table(columns, "candidates", legends=(legend,), gap=1, units="behind")
     heading = said("Candidates that fit the ratings")
     return Section(heading, (table,), "candidates")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Final
 
@@ -22,13 +22,14 @@ from rolamento.document import (
 )
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.pages.preload import stage_table
+from rolamento.records import frozen
 from rolamento.words import in_unit, manner, marked, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
     from rolamento.tasks.clearance import Mounted
 
-__all__ = ["STEPS", "clearance_page"]
+__all__ = ["STEPS", "ChainLine", "chain_lines", "clearance_page"]
 
 STEPS: Final = {
     "initial": marked("before mounting"),
@@ -63,11 +64,11 @@ def clearance_page(
     title
         Of the case.
     """
-    head = [Section("", (Title(title),), key="head")] if title else []
+    head = [Section("", (Title(title),), "head")] if title else []
     sections = [*head, *cautions_section(found.notes)]
     if found.stages:
         stages = stage_table(found.stages)
-        sections.append(Section(said("Preload"), (stages,), key="preload"))
+        sections.append(Section(said("Preload"), (stages,), "preload"))
     for place, row in enumerate(found.rows):
         sections.append(_chain(row, place if len(found.rows) > 1 else None))
     sections.append(_sources(found.rows[0]))
@@ -77,27 +78,42 @@ def clearance_page(
     return Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
 
 
+@frozen
+class ChainLine:
+    """A line of a chain of clearances: smallest, mean and largest; where it comes from."""
+
+    label: str
+    values: Sequence[float]
+    path: str
+    unit: str = "µm"
+    tone: Tone = ""
+    source: str = ""
+
+
+def chain_lines(found: OperatingClearance, details: Mapping[str, str]) -> Iterator[ChainLine]:
+    """Yield the steps, what went into each fit, and the clearance in operation.
+
+    details: what goes into a fit, and what it is called, marked.
+    """
+    for place, step in enumerate(found.steps):
+        path, name = f"clearance.steps.{place}", said(STEPS[step.name])
+        yield ChainLine(name, step.change, f"{path}.change", source=step.source.text)
+        for key, label in details.items():
+            values = step.details.get(key)
+            if values is not None and (any(values) or key == "interference"):
+                unit = "MPa" if key == "pressure" else "µm"
+                yield ChainLine(f"  {said(label)}", values, f"{path}.details.{key}", unit, "faint")
+    limits = (found.minimum, found.mean, found.maximum)
+    yield ChainLine(said("in operation"), limits, "clearance", tone="strong")
+
+
 def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
-    rows: list[tuple[str, Sequence[float], str, Tone]] = []
-    for step in found.steps:
-        rows.append((said(STEPS[step.name]), step.change, "µm", ""))
-        rows += [
-            (f"  {said(label)}", step.details[name], "MPa" if name == "pressure" else "µm", "faint")
-            for name, label in _DETAILS.items()
-            if name in step.details and (any(step.details[name]) or name == "interference")
-        ]
-    limits = (found.minimum, found.mean, found.maximum)
-    rows.append((said("in operation"), limits, "µm", "strong"))
-    tones = [tone for _, _, _, tone in rows]
+    rows = list(chain_lines(found, _DETAILS))
+    tones = [row.tone for row in rows]
     columns = [
-        Column(head="", values=[label for label, _, _, _ in rows], key="step", tones=tones),
-        Column(
-            head=said("unit"),
-            values=[unit for _, _, unit, _ in rows],
-            key="unit",
-            only_in_files=True,
-        ),
+        Column("", [row.label for row in rows], "step", tones=tones),
+        Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
     ]
     heads = {
         "minimum": said_in("clearance", "minimum"),
@@ -106,9 +122,9 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     }
     columns += [
         Column(
-            head=text,
-            values=[_number(values, place, unit) for _, values, unit, _ in rows],
-            key=key,
+            text,
+            [_number(row.values, place, row.unit) for row in rows],
+            key,
             align="right",
             tones=tones,
         )
@@ -118,8 +134,8 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     if place is not None:
         heading = said("Diametral clearance (µm), row {number}", number=place)
         key = f"clearance_{place}"
-    table = Table(columns=tuple(columns), key=key, gap=3)
-    return Section(heading, (table,), key=key)
+    table = Table(tuple(columns), key, gap=3)
+    return Section(heading, (table,), key)
 
 
 def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
@@ -129,12 +145,10 @@ def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
 
 def _sources(found: OperatingClearance) -> Section:
     entries = tuple(
-        Entry(
-            f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", tone="faint"
-        )
+        Entry(f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", "faint")
         for step in found.steps
     )
-    return Section(said("Origin of the steps"), (KeyValues(entries, indent=2),), key="sources")
+    return Section(said("Origin of the steps"), (KeyValues(entries, 2),), "sources")
 
 
 def _scatter(samples: ClearanceSamples) -> Section:
@@ -157,4 +171,4 @@ def _scatter(samples: ClearanceSamples) -> Section:
         count=manner().fixed(len(samples.clearance), 0),
     )
     blocks = tuple(Statement(text, indent=2) for text in texts)
-    return Section(heading, blocks, key="samples")
+    return Section(heading, blocks, "samples")

@@ -23,7 +23,7 @@ def in_files(key: str, units: Mapping[str, str], rows: Iterable[Sequence[CellCon
     """
     values = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in units]
     columns = tuple(
-        Column(head=name, values=own, unit=unit, key=name)
+        Column(name, own, name, unit)
         for (name, unit), own in zip(units.items(), values, strict=True)
     )
-    return Section("", (Table(columns=columns, key=key, only_in_files=True),), key=f"{key}_data")
+    return Section("", (Table(columns, key, only_in_files=True),), f"{key}_data")

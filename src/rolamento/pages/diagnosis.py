@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from math import isfinite, log10, pi
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Column,
@@ -30,8 +31,6 @@ from rolamento.words.headlines import qualifies
 from rolamento.words.naming import one_line, part_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.diagnosis import DiagnosisResult
     from rolamento.tasks.shaft_speed import ShaftSpeed
 
@@ -68,14 +67,14 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
     if not found.still:
         sections.append(_why(found.diagnosis))
     sections += _notes(found)
-    sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), key="figures"))
+    sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), "figures"))
     title = f"{found.bearing_name}: {found.title}"
     return Document(title, tuple(sections), kind="diagnose", main="spectrum")
 
 
 def _too_short_page(found: DiagnosisResult) -> Document:
     statements = tuple(Statement(note.text, "warning-strong") for note in found.statement)
-    section = Section("", (*statements, Title(one_line(found.title))), key="verdict")
+    section = Section("", (*statements, Title(one_line(found.title))), "verdict")
     return Document(found.title, (section,), kind="diagnose")
 
 
@@ -90,7 +89,7 @@ def _verdict(found: DiagnosisResult) -> Section:
     keys = {note.key for note in found.notes}
     if found.solved is not None and "no_loaded_frequencies" in keys:
         blocks = (*blocks, *failure_notes(found.solved))
-    return Section("", blocks, key="verdict")
+    return Section("", blocks, "verdict")
 
 
 # --- what was given and measured ---------------------------------------------------------------
@@ -111,7 +110,7 @@ def _facts(found: DiagnosisResult) -> Section:
         Entry(said("signal"), _signal(found)),
         Entry(said("search"), "\n".join(_search(found))),
     )
-    return Section("", (Title(one_line(found.title)), KeyValues(entries)), key="given")
+    return Section("", (Title(one_line(found.title)), KeyValues(entries)), "given")
 
 
 def _frequencies(sought: FaultFrequencies) -> str:
@@ -265,74 +264,51 @@ def _parts(diagnosis: Diagnosis) -> Section:
     parts, element = diagnosis.components, diagnosis.element
     bands = [part.band or (None, None) for part in parts]
     columns = (
-        Column(head="", values=[part_name(part.component, element) for part in parts], key="part"),
+        Column("", [part_name(part.component, element) for part in parts], "part"),
+        Column("", [ABBREVIATIONS[FAULTS[part.component]] for part in parts], "abbreviation"),
         Column(
-            head="",
-            values=[ABBREVIATIONS[FAULTS[part.component]] for part in parts],
-            key="abbreviation",
-        ),
-        Column(
-            head=said_in("frequency", "expected"),
-            values=[part.nominal_order * diagnosis.shaft_frequency for part in parts],
-            unit="Hz",
+            said_in("frequency", "expected"),
+            [part.nominal_order * diagnosis.shaft_frequency for part in parts],
+            "expected",
+            "Hz",
             form=".2f [Hz]",
-            key="expected",
         ),
         Column(
-            head=said_in("frequency", "found"),
-            values=[part.frequency for part in parts],
-            unit="Hz",
+            said_in("frequency", "found"),
+            [part.frequency for part in parts],
+            "found",
+            "Hz",
             form=".2f [Hz]",
-            key="found",
         ),
         Column(
-            head=said_in("column", "deviation"),
-            values=[part.deviation for part in parts],
-            unit="%",
+            said_in("column", "deviation"),
+            [part.deviation for part in parts],
+            "deviation",
+            "%",
             form=".2f [%]",
-            key="deviation",
         ),
         Column(
-            head=said_in("column", "depth"),
-            values=[part.depth for part in parts],
-            unit="%",
-            form=".0f [%]",
-            key="depth",
+            said_in("column", "depth"), [part.depth for part in parts], "depth", "%", form=".0f [%]"
         ),
         Column(
-            head=said_in("column", "evidence"),
-            values=[part.evidence for part in parts],
-            form=".1f",
-            key="evidence",
+            said_in("column", "evidence"), [part.evidence for part in parts], "evidence", form=".1f"
         ),
         Column(
-            head=said("verdict"),
-            values=[_verdict_of(part) for part in parts],
+            said("verdict"),
+            [_verdict_of(part) for part in parts],
+            "verdict",
             tones=[_TONES[part.verdict] for part in parts],
-            key="verdict",
         ),
-        Column(
-            head=said("band"),
-            values=[_band(part) for part in parts],
-            unit="kHz",
-            align="right",
-            key="band",
-        ),
+        Column(said("band"), [_band(part) for part in parts], "band", "kHz", align="right"),
         *(
-            Column(
-                head=head,
-                values=[band[place] for band in bands],
-                unit="kHz",
-                key=key,
-                only_in_files=True,
-            )
+            Column(head, [band[place] for band in bands], key, "kHz", only_in_files=True)
             for place, (head, key) in enumerate(
                 ((said("from"), "band_low"), (said("to"), "band_high"))
             )
         ),
     )
-    table = Table(columns=columns, key="parts", legends=tuple(_legend(diagnosis)))
-    return Section(said("Parts"), (table,), key="parts")
+    table = Table(columns, "parts", legends=tuple(_legend(diagnosis)))
+    return Section(said("Parts"), (table,), "parts")
 
 
 def _verdict_of(part: ComponentVerdict) -> str:
@@ -395,7 +371,7 @@ def _why(diagnosis: Diagnosis) -> Section:
         for text, names in by_reasons.items()
         for block in (Statement(", ".join(names), indent=2), Statement(text, indent=4))
     ]
-    return Section(said("Why"), tuple(blocks), key="why")
+    return Section(said("Why"), tuple(blocks), "why")
 
 
 def _noted(found: DiagnosisResult) -> tuple[Note, ...]:
@@ -416,19 +392,19 @@ def _spectrum(diagnosis: Diagnosis) -> Table:
     level = 10.0 * np.log10(above, out=np.full(above.shape, np.nan), where=above > 0.0)
     lows, highs = ([spectra.bands[p][end] for p in places for _ in range(count)] for end in (0, 1))
     return Table(
-        columns=(
-            Column(head=said("band from"), values=lows, unit="Hz", key="band_low"),
-            Column(head=said("band to"), values=highs, unit="Hz", key="band_high"),
-            Column(head=said("order"), values=order, key="order"),
+        (
+            Column(said("band from"), lows, "band_low", "Hz"),
+            Column(said("band to"), highs, "band_high", "Hz"),
+            Column(said("order"), order, "order"),
             Column(
-                head=said("frequency"),
-                values=[one * diagnosis.shaft_frequency for one in order],
-                unit="Hz",
-                key="frequency",
+                said("frequency"),
+                [one * diagnosis.shaft_frequency for one in order],
+                "frequency",
+                "Hz",
             ),
-            Column(head=said("over noise"), values=level.tolist(), unit="dB", key="over_noise"),
+            Column(said("over noise"), level.tolist(), "over_noise", "dB"),
         ),
-        key="spectrum",
+        "spectrum",
         caption=said("Spectrum of the squared envelope"),
         only_in_files=True,
     )
@@ -442,42 +418,14 @@ def _figures(found: DiagnosisResult) -> Iterable[Figure]:
     caption = said("The signal over time")
     if fault is not None:
         caption = said("The signal over time, with the impacts of the clearest fault")
-    yield Figure(caption=caption, draw=_waveform(found), key="waveform")
+    yield Figure(caption, lambda: plots.impacts_figure(found.signal, found.diagnosis), "waveform")
     yield Figure(
-        caption=said("Kurtogram: how impulsive the signal is, by frequency and bandwidth"),
-        draw=_kurtogram(found),
-        key="kurtogram",
+        said("Kurtogram: how impulsive the signal is, by frequency and bandwidth"),
+        lambda: plots.kurtogram_figure(found.signal, band=None if fault is None else fault.band),
+        "kurtogram",
     )
     yield Figure(
-        caption=said("Spectrum of the squared envelope, with the frequencies of the bearing"),
-        draw=_envelope(found),
-        key="envelope",
+        said("Spectrum of the squared envelope, with the frequencies of the bearing"),
+        lambda: plots.envelope_figure(found.diagnosis),
+        "envelope",
     )
-
-
-def _waveform(found: DiagnosisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import impacts_figure
-
-        return impacts_figure(found.signal, found.diagnosis)
-
-    return draw
-
-
-def _kurtogram(found: DiagnosisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import kurtogram_figure
-
-        fault = found.diagnosis.clearest_fault
-        return kurtogram_figure(found.signal, band=None if fault is None else fault.band)
-
-    return draw
-
-
-def _envelope(found: DiagnosisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import envelope_figure
-
-        return envelope_figure(found.diagnosis)
-
-    return draw

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,10 +21,9 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.io.data import toml_of
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head, race_name
 from rolamento.solved import RACES
-from rolamento.words import marked, said
+from rolamento.words import said
 from rolamento.words.sentences.electrical import BREAKDOWNS, DENSITIES
 
 if TYPE_CHECKING:
@@ -34,8 +33,6 @@ if TYPE_CHECKING:
     from rolamento.numerics import FloatArray
 
 __all__ = ["electrical_page", "electrical_sections"]
-
-_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
 
 
 def electrical_page(found: BearingElectrics) -> Document:
@@ -48,12 +45,10 @@ def electrical_page(found: BearingElectrics) -> Document:
     """
     solved = found.solved
     notes = (*solved.notes[0], *found.notes)
-    sections = [head(solved), *cautions_section(notes)]
-    if solved.converged[0]:
-        sections += electrical_sections(found)
-    sections += notes_section(remarks_of(notes))
-    title = solved.title or untitled(solved.case)
-    return Document(title, tuple(sections), kind="electrical", main="electrical_races")
+    sections = electrical_sections(found) if solved.converged[0] else []
+    return case_page(
+        solved.case, head(solved), sections, "electrical", "electrical_races", notes=notes
+    )
 
 
 def electrical_sections(found: BearingElectrics, level: int = 2) -> list[Section]:
@@ -67,12 +62,11 @@ def electrical_sections(found: BearingElectrics, level: int = 2) -> list[Section
         Of their headings.
     """
     return [
-        Section(said("Bearing as a capacitor"), _headline(found), "electrical", level=level),
-        Section("", (_races(found),), key="electrical_contacts", level=level),
+        Section(said("Bearing as a capacitor"), _headline(found), "electrical", level),
+        Section("", (_races(found),), "electrical_contacts", level),
         *_density(found, level),
-        Section(said("Breakdown of the film"), _breakdown(found), "electrical_breakdown",
-                level=level),
-    ]  # fmt: skip
+        Section(said("Breakdown of the film"), _breakdown(found), "electrical_breakdown", level),
+    ]
 
 
 def _headline(found: BearingElectrics) -> tuple[Block, ...]:
@@ -106,32 +100,28 @@ def _most(values: FloatArray, places: FloatArray) -> float:
 def _races(found: BearingElectrics) -> Table:
     own = [found.of(race) for race in RACES]
     columns = [
-        Column(head="", values=[said(_RACES[race]) for race in RACES], key="race"),
+        Column("", [race_name(race) for race in RACES], "race"),
+        Column("ΣA", [float(one.total_area[0]) for one in own], "area", "mm²", figures=3, most=3),
         Column(
-            head="ΣA", values=[float(one.total_area[0]) for one in own], unit="mm²", key="area",
-            figures=3, most=3,
-        ),
-        Column(
-            head="h_c",
-            values=[-_most(-one.thickness, one.area) for one in own],
-            unit="µm",
-            key="thickness",
+            "h_c",
+            [-_most(-one.thickness, one.area) for one in own],
+            "thickness",
+            "µm",
             figures=3,
             most=3,
         ),
         Column(
-            head="C", values=[_most(one.capacitance, one.area) for one in own], unit="pF",
-            key="capacitance", figures=3,
+            "C", [_most(one.capacitance, one.area) for one in own], "capacitance", "pF", figures=3
         ),
-    ]  # fmt: skip
+    ]
     legends = [said("ΣA area of all contacts; h_c minimum central film; C maximum of a contact")]
     if found.given.current is not None:
         columns.append(
             Column(
-                head="J",
-                values=[float(one.current_density[0]) for one in own],
-                unit="A/mm²",
-                key="current_density",
+                "J",
+                [float(one.current_density[0]) for one in own],
+                "current_density",
+                "A/mm²",
                 figures=3,
                 most=4,
             )
@@ -139,13 +129,11 @@ def _races(found: BearingElectrics) -> Table:
         legends.append(said("J apparent current density: amplitude over ΣA"))
     if found.given.voltage is not None:
         columns += [
-            Column(head="V", values=[_most(one.voltage, one.area) for one in own], unit="V",
-                   key="voltage", figures=3),
-            Column(head="E", values=[_most(one.field, one.area) for one in own], unit="V/µm",
-                   key="field", figures=3),
-        ]  # fmt: skip
+            Column("V", [_most(one.voltage, one.area) for one in own], "voltage", "V", figures=3),
+            Column("E", [_most(one.field, one.area) for one in own], "field", "V/µm", figures=3),
+        ]
         legends.append(said("V maximum voltage across a contact; E maximum V/h_c"))
-    return Table(columns=tuple(columns), key="electrical_races", legends=tuple(legends), rule=True)
+    return Table(tuple(columns), "electrical_races", legends=tuple(legends), rule=True)
 
 
 def _marks(bands: Sequence[Band]) -> list[str]:
@@ -180,18 +168,16 @@ def _density(found: BearingElectrics, level: int) -> list[Section]:
         for band in bands
     ]
     columns = (
-        Column(head=said("current density"), values=limits, unit="A/mm²", key="band", tones=tones),
-        Column(head="", values=["▸" if one else "" for one in inside], key="here"),
-        Column(head="", values=[said(DENSITIES[band.key]) for band in bands], key="meaning",
-               tones=tones),
-        Column(head="", values=_marks(bands), key="mark", tone="faint"),
-        Column(head=said("source"), values=[_source(band) for band in bands], key="source",
-               only_in_files=True),
-    )  # fmt: skip
+        Column(said("current density"), limits, "band", "A/mm²", tones=tones),
+        Column("", ["▸" if one else "" for one in inside], "here"),
+        Column("", [said(DENSITIES[band.key]) for band in bands], "meaning", tones=tones),
+        Column("", _marks(bands), "mark", tone="faint"),
+        Column(said("source"), [_source(band) for band in bands], "source", only_in_files=True),
+    )
     legend = said("▸ bands in which this bearing is; published experience, no limits")
-    table = Table(columns=columns, key="electrical_bands", legends=(legend,), rule=True)
+    table = Table(columns, "electrical_bands", legends=(legend,), rule=True)
     blocks: tuple[Block, ...] = (table, *_sources(bands))
-    return [Section(said("Published bands"), blocks, key="electrical_density", level=level)]
+    return [Section(said("Published bands"), blocks, "electrical_density", level)]
 
 
 def _breakdown(found: BearingElectrics) -> tuple[Block, ...]:
@@ -211,14 +197,12 @@ def _breakdown(found: BearingElectrics) -> tuple[Block, ...]:
             else said("{low:.3 [V/µm]} to {high:.3 [V/µm]}", low=band.low, high=band.high)
         )
     columns = (
-        Column(head="", values=[said(BREAKDOWNS[band.key]) for band in bands], key="lubricant"),
-        Column(head=said("field"), values=fields, unit="V/µm", key="field", align="right"),
-        Column(head=said("between the rings"), values=voltages, unit="V", key="voltage",
-               align="right"),
-        Column(head="", values=_marks(bands), key="mark", tone="faint"),
-        Column(head=said("source"), values=[_source(band) for band in bands], key="source",
-               only_in_files=True),
-    )  # fmt: skip
+        Column("", [said(BREAKDOWNS[band.key]) for band in bands], "lubricant"),
+        Column(said("field"), fields, "field", "V/µm", align="right"),
+        Column(said("between the rings"), voltages, "voltage", "V", align="right"),
+        Column("", _marks(bands), "mark", tone="faint"),
+        Column(said("source"), [_source(band) for band in bands], "source", only_in_files=True),
+    )
     data = toml_of("electrical")["threshold"]
     text = said(
         "Motor bearings were seen to discharge between {low:.2 V} and {high:.2 V} ({source}).",
@@ -226,5 +210,5 @@ def _breakdown(found: BearingElectrics) -> tuple[Block, ...]:
         high=data["high"],
         source=data["source"],
     )
-    table = Table(columns=columns, key="electrical_breakdown", rule=True)
+    table = Table(columns, "electrical_breakdown", rule=True)
     return (table, *_sources(bands), Statement(text, indent=2))

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import Break, CellContent, Column, Figure, Number, Section, Table, Tone
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
@@ -21,8 +22,6 @@ from rolamento.types import type_of_element
 from rolamento.words import decimals_for, in_unit, manner, said, said_in
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.solved import Rollers
 
 __all__ = [
@@ -87,7 +86,7 @@ def _heaviest_ball(solved: Solved, ball: int) -> Section:
         row = int(solved.elements.row[ball])
         heading = said("Heaviest ball: #{number} of row {row} at {azimuth:.5 °}", **names, row=row)
     table = _both_races(solved, ball, _of_contacts(solved, ball, shown))
-    return Section(heading, (table,), key="heaviest")
+    return Section(heading, (table,), "heaviest")
 
 
 def _heaviest_roller(solved: Solved, roller: int) -> Section:
@@ -115,11 +114,7 @@ def _heaviest_roller(solved: Solved, roller: int) -> Section:
         (said("pressure at the +x end"), "MPa", lambda race: _at_end(rollers, race, roller, -1)),
     )
     last = ((said("half-width"), "mm", "semi_minor"), *_stresses())
-    quantities = (
-        *_of_contacts(solved, roller, first),
-        *along,
-        *_of_contacts(solved, roller, last),
-    )
+    quantities = (*_of_contacts(solved, roller, first), *along, *_of_contacts(solved, roller, last))
     names = {"number": roller, "azimuth": float(solved.elements.azimuth[0, roller])}
     if len(solved.rows) < 2:
         heading = said("Heaviest roller: #{number} at {azimuth:.5 °}", **names)
@@ -128,7 +123,7 @@ def _heaviest_roller(solved: Solved, roller: int) -> Section:
         heading = said(
             "Heaviest roller: #{number} of row {row} at {azimuth:.5 °}", **names, row=row
         )
-    return Section(heading, (_both_races(solved, roller, quantities),), key="heaviest")
+    return Section(heading, (_both_races(solved, roller, quantities),), "heaviest")
 
 
 def _stresses() -> tuple[tuple[str, str, str], ...]:
@@ -151,14 +146,14 @@ def _both_races(solved: Solved, element: int, shown: Quantities) -> Table:
     """Set what an element has at the inner race beside what it has at the outer."""
     races = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
     columns = [
-        Column(head="", values=[label for label, _, _ in shown], key="quantity"),
-        Column(head="", values=[unit for _, unit, _ in shown], key="unit"),
+        Column("", [label for label, _, _ in shown], "quantity"),
+        Column("", [unit for _, unit, _ in shown], "unit"),
     ]
     for race in RACES:
         touched = solved.contacts[race].load[0, element] > 0.0
         values = [_five_figures(at(race), unit) if touched else nan for _, unit, at in shown]
-        columns.append(Column(head=races[race], values=values, key=race, align="right"))
-    return Table(columns=tuple(columns), key="heaviest")
+        columns.append(Column(races[race], values, race, align="right"))
+    return Table(tuple(columns), "heaviest")
 
 
 def _five_figures(value: float, unit: str) -> Number:
@@ -179,12 +174,12 @@ def element_sections(solved: Solved) -> list[Section]:
     if "ball" in kinds:
         shown = (balls_table(solved),) if converged else ()
         heading = said("Balls") if converged else ""
-        sections.append(Section(heading, (*shown, all_of_the_balls(solved)), key="balls"))
+        sections.append(Section(heading, (*shown, all_of_the_balls(solved)), "balls"))
     if kinds != {"ball"}:
         shown = (rollers_table(solved),) if converged else ()
         heading = said("Rollers") if converged else ""
         files = (all_of_the_rollers(solved), all_of_the_slices(solved))
-        sections.append(Section(heading, (*shown, *files), key="rollers"))
+        sections.append(Section(heading, (*shown, *files), "rollers"))
     return sections
 
 
@@ -245,10 +240,10 @@ def column(
 ) -> Column:
     """Return a column of a table with a line for each element, or for some of them."""
     return Column(
-        head=head,
-        values=of(solved)[chosen].tolist(),
-        unit=unit,
-        key=key,
+        head,
+        of(solved)[chosen].tolist(),
+        key,
+        unit,
         figures=figures,
         most=most,
         peak="maximum" if peak else "",
@@ -296,7 +291,7 @@ def balls_table(solved: Solved) -> Table:
     """Return a line for every ball: loads, angles, pressures; then its motion."""
     balls = ~_is_roller(solved)
     columns = [
-        Column(head="#", values=np.flatnonzero(balls).tolist(), key="ball", tone="faint"),
+        Column("#", np.flatnonzero(balls).tolist(), "ball", tone="faint"),
         column(solved, "ψ", "°", of_element("azimuth"), "azimuth", figures=5, chosen=balls),
     ]
     for name, symbol, unit, figures, peak in (
@@ -317,7 +312,7 @@ def balls_table(solved: Solved) -> Table:
             )
             for race in RACES
         ]
-    columns.append(Column(head="Q_i", values=solved.inner.load[0, balls].tolist(), bar=True))
+    columns.append(Column("Q_i", solved.inner.load[0, balls].tolist(), bar=True))
     breaks: tuple[Break, ...] = ()
     if _turning(solved):
         heading = said("Motion of the balls")
@@ -329,7 +324,7 @@ def balls_table(solved: Solved) -> Table:
         columns += _motion(solved, balls)
     legend = said("Q load, α contact angle, p maximum pressure; i inner, o outer; ◂ maximum")
     return Table(
-        columns=tuple(columns),
+        tuple(columns),
         legends=(legend,),
         groups=_row_names(solved, balls),
         rule=True,
@@ -371,25 +366,23 @@ def all_of_the_balls(solved: Solved) -> Table:
     """Return the table of balls that is written to files: all numbers, touching or not."""
     elements, balls = solved.elements, ~_is_roller(solved)
     columns = [
-        Column(head="row", values=elements.row[balls].tolist(), key="row"),
-        Column(head="ball", values=np.flatnonzero(balls).tolist(), key="ball"),
-        Column(head="azimuth", values=elements.azimuth[0, balls].tolist(), unit="°", key="azimuth"),
+        Column("row", elements.row[balls].tolist(), "row"),
+        Column("ball", np.flatnonzero(balls).tolist(), "ball"),
+        Column("azimuth", elements.azimuth[0, balls].tolist(), "azimuth", "°"),
     ]
     columns += [
-        Column(head=name, values=values, unit=unit, key=f"{race}_{name}")
+        Column(name, values, f"{race}_{name}", unit)
         for race in RACES
         for name, unit in _CONTACT_COLUMNS
         for values in [getattr(solved.contacts[race], name)[0, balls].tolist()]
     ]
     columns += [
-        Column(head=name, values=getattr(elements, name)[0, balls].tolist(), unit=unit, key=name)
+        Column(name, getattr(elements, name)[0, balls].tolist(), name, unit)
         for name, unit in _BALL_COLUMNS
     ]
     names = np.array(list(control_names(solved)), dtype=object)
-    columns.append(
-        Column(head="raceway_control", values=names[balls].tolist(), key="raceway_control")
-    )
-    return Table(columns=tuple(columns), key="balls", only_in_files=True)
+    columns.append(Column("raceway_control", names[balls].tolist(), "raceway_control"))
+    return Table(tuple(columns), "balls", only_in_files=True)
 
 
 # --- rollers -------------------------------------------------------------------------------------
@@ -470,7 +463,7 @@ def rollers_table(solved: Solved) -> Table:
         )
 
     columns = [
-        Column(head="#", values=np.flatnonzero(rollers).tolist(), key="roller", tone="faint"),
+        Column("#", np.flatnonzero(rollers).tolist(), "roller", tone="faint"),
         own("ψ", "°", of_element("azimuth"), "azimuth", 5),
     ]
     for name, symbol, unit, figures in (("load", "Q", "N", 5), ("max_pressure", "p", "MPa", 4)):
@@ -485,7 +478,7 @@ def rollers_table(solved: Solved) -> Table:
     tilt = without_rounding(_of_rollers("tilt"), _NO_TILT)
     columns += [
         own("θ", "mrad", tilt, "tilt", most=3),
-        Column(head="Q_i", values=solved.inner.load[0, rollers].tolist(), bar=True),
+        Column("Q_i", solved.inner.load[0, rollers].tolist(), bar=True),
     ]
     first, symbols = len(columns), [said("e pressure at the more loaded end over the middle's")]
     columns += [
@@ -517,7 +510,7 @@ def rollers_table(solved: Solved) -> Table:
     if np.any(solved.rows.sign < 0.0):
         legends += (said("x and θ of a row that faces − are as seen in a row that faces +"),)
     return Table(
-        columns=tuple(columns),
+        tuple(columns),
         legends=legends,
         groups=_row_names(solved, rollers),
         rule=True,
@@ -531,21 +524,21 @@ def all_of_the_rollers(solved: Solved) -> Table:
     elements, chosen = solved.elements, _is_roller(solved)
 
     def own(head: str, of: Values, unit: str = "") -> Column:
-        return Column(head=head, values=of(solved)[chosen].tolist(), unit=unit, key=head)
+        return Column(head, of(solved)[chosen].tolist(), head, unit)
 
     units = dict(_CONTACT_COLUMNS)
     columns = [
-        Column(head="row", values=elements.row[chosen].tolist(), key="row"),
-        Column(head="roller", values=np.flatnonzero(chosen).tolist(), key="roller"),
+        Column("row", elements.row[chosen].tolist(), "row"),
+        Column("roller", np.flatnonzero(chosen).tolist(), "roller"),
         own("azimuth", of_element("azimuth"), "°"),
     ]
     for race in RACES:
         columns += [
             Column(
-                head=f"{race}_{name}",
-                values=getattr(solved.contacts[race], of)[0, chosen].tolist(),
-                unit=units[of],
-                key=f"{race}_{name}",
+                f"{race}_{name}",
+                getattr(solved.contacts[race], of)[0, chosen].tolist(),
+                f"{race}_{name}",
+                units[of],
             )
             for of, name in _ROLLER_CONTACTS.items()
         ]
@@ -559,7 +552,7 @@ def all_of_the_rollers(solved: Solved) -> Table:
         own("rib_moment", _of_rollers("rib_moment"), "N·mm"),
     ]
     columns += [own(name, of_element(of), unit) for of, name, unit in _ROLLER_COLUMNS]
-    return Table(columns=tuple(columns), key="rollers", only_in_files=True)
+    return Table(tuple(columns), "rollers", only_in_files=True)
 
 
 def all_of_the_slices(solved: Solved) -> Table:
@@ -571,12 +564,12 @@ def all_of_the_slices(solved: Solved) -> Table:
 
     def own(head: str, values: FloatArray, unit: str) -> Column:
         cells: Sequence[CellContent] = values[0, chosen].ravel().tolist()
-        return Column(head=head, values=cells, unit=unit, key=head)
+        return Column(head, cells, head, unit)
 
     columns = [
-        Column(head="row", values=np.repeat(solved.elements.row[chosen], count).tolist()),
-        Column(head="roller", values=np.repeat(chosen, count).tolist()),
-        Column(head="slice", values=np.tile(np.arange(count), len(chosen)).tolist()),
+        Column("row", np.repeat(solved.elements.row[chosen], count).tolist()),
+        Column("roller", np.repeat(chosen, count).tolist()),
+        Column("slice", np.tile(np.arange(count), len(chosen)).tolist()),
         own("place", rollers.slice_place, "mm"),
     ]
     for race in RACES:
@@ -586,7 +579,7 @@ def all_of_the_slices(solved: Solved) -> Table:
             own(f"{race}_pressure", line.pressure, "MPa"),
             own(f"{race}_half_width", line.half_width, "mm"),
         ]
-    return Table(columns=tuple(columns), key="slices", only_in_files=True)
+    return Table(tuple(columns), "slices", only_in_files=True)
 
 
 # --- pictures of rollers -------------------------------------------------------------------------
@@ -601,31 +594,17 @@ def roller_pictures(solved: Solved) -> list[Section]:
     if not _is_roller(solved).any() or not solved.loaded[0, _is_roller(solved)].any():
         return []
     along = Figure(
-        caption=said("Pressure along the rollers at both races, the most loaded one in full"),
-        draw=lambda: _along_picture(solved),
-        key="along",
+        said("Pressure along the rollers at both races, the most loaded one in full"),
+        lambda: plots.pressures_of_both_races(solved)[0],
+        "along",
         sketch=lambda width, draws: _sketch(solved, width, draws),
     )
     between = Figure(
-        caption=said("The most loaded roller between the races, before they are pressed flat"),
-        draw=lambda: _between_picture(solved),
-        key="between",
+        said("The most loaded roller between the races, before they are pressed flat"),
+        lambda: plots.roller_between_races(solved),
+        "between",
     )
-    return [Section(said("Along the rollers"), (along, between), key="along")]
-
-
-def _along_picture(solved: Solved) -> Picture:
-    from rolamento.charts.frame import figure_of
-    from rolamento.plots.roller import pressures_of_both_races
-
-    return figure_of(pressures_of_both_races(solved)[0])
-
-
-def _between_picture(solved: Solved) -> Picture:
-    from rolamento.charts.frame import figure_of
-    from rolamento.plots.roller import roller_between_races
-
-    return figure_of(roller_between_races(solved))
+    return [Section(said("Along the rollers"), (along, between), "along")]
 
 
 def _sketch(solved: Solved, width: int, draws: bool) -> list[list[tuple[str, Tone]]]:

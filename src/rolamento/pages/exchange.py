@@ -49,7 +49,7 @@ def import_page(found: Imported) -> Document:
     return Document(
         title,
         (
-            Section("", (Title(title), head), key="head"),
+            Section("", (Title(title), head), "head"),
             _taken(found),
             *_remarks(said("Inferred"), "inferred", found, names),
             *_remarks(said("Left out"), "left", found, names),
@@ -62,23 +62,20 @@ def import_page(found: Imported) -> Document:
 def _taken(found: Imported) -> Section:
     lines = [one for one in found.taken if one.part]
     columns = (
-        Column(head=said("part"), key="part", values=[one.part for one in lines]),
-        Column(head=said("name"), key="name", values=[one.name for one in lines]),
-        Column(head=said("type"), key="type", values=[one.type for one in lines], once=True),
+        Column(said("part"), [one.part for one in lines], "part"),
+        Column(said("name"), [one.name for one in lines], "name"),
+        Column(said("type"), [one.type for one in lines], "type", once=True),
         Column(
-            head=said("component"),
-            key="component",
-            values=[one.component for one in lines],
-            only_in_files=True,
+            said("component"), [one.component for one in lines], "component", only_in_files=True
         ),
         Column(
-            head=said("attributes read"),
-            key="attributes",
-            values=[" ".join(one.attributes) for one in lines],
+            said("attributes read"),
+            [" ".join(one.attributes) for one in lines],
+            "attributes",
             only_in_files=True,
         ),
     )
-    return Section(said("Taken"), (Table(columns=columns, key="taken"),), key="taken")
+    return Section(said("Taken"), (Table(columns, "taken"),), "taken")
 
 
 def _remarks(heading: str, sort: str, found: Imported, names: dict[int, str]) -> Iterable[Section]:
@@ -98,7 +95,7 @@ def _remarks(heading: str, sort: str, found: Imported, names: dict[int, str]) ->
             Remark(f"{', '.join(of)}: {text}" if of else text, keys[text])
             for text, of in about.items()
         )
-        yield Section(heading, (Notes(remarks),), key=sort)
+        yield Section(heading, (Notes(remarks),), sort)
 
 
 def export_page(found: Exported, path: str) -> Document:
@@ -115,19 +112,16 @@ def export_page(found: Exported, path: str) -> Document:
     title = said("Wrote {path}", path=path)
     parts = Counter(one.type for one in model.components)
     columns = (
-        Column(head=said("components"), key="type", values=list(parts)),
-        Column(head=said("count"), key="count", values=list(parts.values()), most=0),
+        Column(said("components"), list(parts), "type"),
+        Column(said("count"), list(parts.values()), "count", most=0),
     )
     sections = [
-        Section("", (Title(title),), key="head"),
-        Section(
-            said("REXS {version}", version=model.version), (Table(columns=columns, key="parts"),),
-            key="parts",
-        ),
-    ]  # fmt: skip
+        Section("", (Title(title),), "head"),
+        Section(said("REXS {version}", version=model.version), (Table(columns, "parts"),), "parts"),
+    ]
     if found.notes:
         remarks = {note.text: Remark(note.text, note.key) for note in found.notes}
-        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), key="notes"))
+        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), "notes"))
     return Document(title, tuple(sections), kind="rexs_export", main="parts")
 
 
@@ -142,14 +136,14 @@ def written_page(found: Written, path: str) -> Document:
         Of the file that was written.
     """
     title = said("Wrote {path}", path=path)
-    sections = [Section("", (Title(title),), key="head")]
+    sections = [Section("", (Title(title),), "head")]
     if found.elements:
-        sections.append(Section(said("Elements for ROSS"), (_elements(found),), key="elements"))
+        sections.append(Section(said("Elements for ROSS"), (_elements(found),), "elements"))
     elif found.mapped is not None:
-        sections.append(Section(said("Bearings"), (_maps(found.mapped),), key="bearings"))
+        sections.append(Section(said("Bearings"), (_maps(found.mapped),), "bearings"))
     if found.notes:
         remarks = {note.text: Remark(note.text, note.key) for note in found.notes}
-        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), key="notes"))
+        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), "notes"))
     return Document(title, tuple(sections), kind=f"{found.kind}_export", main="elements")
 
 
@@ -162,20 +156,17 @@ def _elements(found: Written) -> Table:
 
     last = [one.stiffness[-1] for one in lines]
     columns = (
-        Column(head=said("element"), key="element", values=[one.name for one in lines]),
-        Column(head=said("at"), unit="mm", key="position", values=[one.position for one in lines]),
-        Column(head=said("up to"), unit="rpm", key="speed",
-               values=[float(one.speed[-1]) for one in lines]),
+        Column(said("element"), [one.name for one in lines], "element"),
+        Column(said("at"), [one.position for one in lines], "position", "mm"),
+        Column(said("up to"), [float(one.speed[-1]) for one in lines], "speed", "rpm"),
         *(
-            Column(head=f"k_{2 * axis}", unit="N/µm", key=f"k{2 * axis}",
-                   values=[float(k[place, place]) for k in last])
+            Column(f"k_{2 * axis}", [float(k[place, place]) for k in last], f"k{2 * axis}", "N/µm")
             for place, axis in enumerate("xyz")
         ),
-        Column(head=said("left out:\nx, y–z"), unit="N/µm", key="left_out_axial_radial",
-               values=once(0)),
-        Column(head=said("shift–tilt"), unit="N/mrad", key="left_out_shift_tilt", values=once(1)),
-        Column(head=said("tilt"), unit="N·m/mrad", key="left_out_tilt", values=once(2)),
-    )  # fmt: skip
+        Column(said("left out:\nx, y–z"), once(0), "left_out_axial_radial", "N/µm"),
+        Column(said("shift–tilt"), once(1), "left_out_shift_tilt", "N/mrad"),
+        Column(said("tilt"), once(2), "left_out_tilt", "N·m/mrad"),
+    )
     legends = (
         said(
             "x, y, z of ROSS are y, z, x of Rolamento: z is along the shaft; stiffness at the last"
@@ -183,18 +174,16 @@ def _elements(found: Written) -> Table:
             " and none of tilts: the greatest of all speeds is what is left out"
         ),
     )
-    return Table(columns=columns, key="elements", legends=legends)
+    return Table(columns, "elements", legends=legends)
 
 
 def _maps(mapped: Mapped) -> Table:
     maps = mapped.maps
     missing = [int((one.status != "converged").sum()) for one in maps]
     columns = (
-        Column(head=said("bearing"), key="bearing", values=[one.name for one in maps]),
-        Column(head=said("over"), key="over",
-               values=[", ".join(axis.field for axis in one.axes) for one in maps]),
-        Column(head=said("points"), key="points", values=[one.status.size for one in maps],
-               most=0),
-        Column(head=said("without a\nresult"), key="missing", values=missing, most=0),
-    )  # fmt: skip
-    return Table(columns=columns, key="bearings")
+        Column(said("bearing"), [one.name for one in maps], "bearing"),
+        Column(said("over"), [", ".join(axis.field for axis in one.axes) for one in maps], "over"),
+        Column(said("points"), [one.status.size for one in maps], "points", most=0),
+        Column(said("without a\nresult"), missing, "missing", most=0),
+    )
+    return Table(columns, "bearings")

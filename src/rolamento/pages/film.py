@@ -7,16 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.document import (
-    Block,
-    Column,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-)
+from rolamento.document import Block, Column, Entry, KeyValues, Number, Section, Statement, Table
 from rolamento.geometry import Race
 from rolamento.pages.notes import cautions
 from rolamento.solved import RACES
@@ -57,13 +48,13 @@ def film_sections(film: Film) -> list[Section]:
     blocks: list[Block] = [*_oil(film), *cautions(film.notes_of())]
     thickness = [_at_thinnest(film, race, "central_thickness") for race in RACES]
     if not any(map(isfinite, thickness)):
-        return [Section(said("Lubricant film"), tuple(blocks), key="film")]
+        return [Section(said("Lubricant film"), tuple(blocks), "film")]
     if not any(value > 0.0 for value in thickness):
         blocks.append(Statement(said("nothing rotates: no film"), indent=2))
-        return [Section(said("Lubricant film"), tuple(blocks), key="film")]
+        return [Section(said("Lubricant film"), tuple(blocks), "film")]
     heading = Statement(said("at the contact with the thinnest film"), "faint", indent=2)
     blocks += [heading, _thinnest(film), _regimes(film)]
-    return [Section(said("Lubricant film"), tuple(blocks), key="film"), _elements(film)]
+    return [Section(said("Lubricant film"), tuple(blocks), "film"), _elements(film)]
 
 
 def _oil(film: Film) -> list[Statement]:
@@ -108,18 +99,18 @@ def _thinnest(film: Film) -> Table:
         for label, name, unit in shown
         if unit != "%" or any(value < _WHOLE for value in values[name])
     ]
-    columns = [Column(head="", values=[label for label, _, _ in shown], key="quantity")]
+    columns = [Column("", [label for label, _, _ in shown], "quantity")]
     heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
     columns += [
         Column(
-            head=heads[race],
-            values=[Number(values[name][place], f".3 [{unit}]") for _, name, unit in shown],
-            key=race,
+            heads[race],
+            [Number(values[name][place], f".3 [{unit}]") for _, name, unit in shown],
+            race,
         )
         for place, race in enumerate(RACES)
     ]
-    columns.append(Column(head="", values=[unit for _, _, unit in shown], key="unit"))
-    return Table(columns=tuple(columns), key="thinnest_film")
+    columns.append(Column("", [unit for _, _, unit in shown], "unit"))
+    return Table(tuple(columns), "thinnest_film")
 
 
 def _regimes(film: Film) -> KeyValues:
@@ -138,7 +129,7 @@ def _regimes(film: Film) -> KeyValues:
             failures=[said(_FAILURES[failure]) for failure in expected],
         )
         entries.append(Entry(heads[race], text))
-    return KeyValues(tuple(entries), indent=2)
+    return KeyValues(tuple(entries), 2)
 
 
 _COLUMNS: Final[tuple[tuple[str, str, Race, str], ...]] = (
@@ -160,18 +151,18 @@ def _elements(film: Film) -> Section:
     """Show the films of all rolling elements, the minimum of each column marked."""
     count = film.azimuth.shape[1]
     columns = [
-        Column(head="#", values=list(range(count)), key="ball", tone="faint"),
-        Column(head="ψ", values=film.azimuth[0].tolist(), unit="°", key="azimuth", figures=5),
+        Column("#", list(range(count)), "ball", tone="faint"),
+        Column("ψ", film.azimuth[0].tolist(), "azimuth", "°", figures=5),
     ]
     for symbol, unit, race, name in _COLUMNS:
         values = getattr(film.of(race), name)[0]
         if np.isfinite(values).any():
             columns.append(
                 Column(
-                    head=symbol,
-                    values=values.tolist(),
-                    unit=unit,
-                    key=f"{race}_{name}",
+                    symbol,
+                    values.tolist(),
+                    f"{race}_{name}",
+                    unit,
                     figures=3,
                     most=4,
                     peak="minimum",
@@ -179,10 +170,10 @@ def _elements(film: Film) -> Section:
             )
     columns += [
         Column(
-            head=name,
-            values=getattr(film.of(race), name)[0].tolist(),
-            unit=unit,
-            key=f"{race}_{name}",
+            name,
+            getattr(film.of(race), name)[0].tolist(),
+            f"{race}_{name}",
+            unit,
             only_in_files=True,
         )
         for race in RACES
@@ -192,8 +183,8 @@ def _elements(film: Film) -> Section:
         "h_c central film, h_0 minimum film, λ = h_c over the combined Rq; i inner, o outer;"
         " ◂ minimum"
     )
-    table = Table(columns=tuple(columns), key="films", legends=(legend,), rule=True)
-    return Section(_whose(film), (table,), key="films")
+    table = Table(tuple(columns), "films", legends=(legend,), rule=True)
+    return Section(_whose(film), (table,), "films")
 
 
 def _whose(film: Film) -> str:

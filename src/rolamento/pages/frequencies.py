@@ -158,7 +158,7 @@ def _head(found: FrequencyResult) -> Section:
         leading = (*leading, *failure_notes(found.solved))
     blocks: tuple[Block, ...] = (Title(found.title), Statement("\n".join(lines), indent=2))
     blocks += leading
-    return Section("", blocks, key="given")
+    return Section("", blocks, "given")
 
 
 def _speeds(nominal: FaultFrequencies) -> Iterable[str]:
@@ -175,19 +175,15 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     nominal, several = one.source == "nominal", bool(found.nominal.rows)
     lines = list(one.lines.values())
     columns = [
+        Column("", [line_name(name, one.element) for name in one.lines], "line"),
+        Column("", [ABBREVIATIONS[name] for name in one.lines], "abbreviation"),
+        Column(said("order"), [line.order for line in lines], "order", form=".4f"),
         Column(
-            head="",
-            values=[line_name(name, one.element) for name in one.lines],
-            key="line",
-        ),
-        Column(head="", values=[ABBREVIATIONS[name] for name in one.lines], key="abbreviation"),
-        Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
-        Column(
-            head=said("frequency"),
-            values=[line.frequency for line in lines],
-            unit="Hz",
+            said("frequency"),
+            [line.frequency for line in lines],
+            "frequency",
+            "Hz",
             form=".3f [Hz]",
-            key="frequency",
         ),
         *(_band(one) if nominal else _spread(one)),
     ]
@@ -198,8 +194,8 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     if not nominal and found.solved is not None:
         legend = _loaded_legend(one, int(found.solved.loaded_elements[0, one.row]))
     name = f"{one.source}_{one.row}" if several else one.source
-    table = Table(columns=tuple(columns), key=f"lines_{name}", legends=(legend,))
-    return Section(_heading(one, several=several), (table,), key=name)
+    table = Table(tuple(columns), f"lines_{name}", legends=(legend,))
+    return Section(_heading(one, several=several), (table,), name)
 
 
 def _loaded_legend(one: FaultFrequencies, count: int) -> str:
@@ -241,13 +237,7 @@ def _band(one: FaultFrequencies) -> list[Column]:
     if not all(bands):
         return []
     return [
-        Column(
-            head=head,
-            values=[getattr(band, name) for band in bands],
-            unit=unit,
-            form=form,
-            key=name,
-        )
+        Column(head, [getattr(band, name) for band in bands], name, unit, form=form)
         for head, name, unit, form in (
             (said("from"), "order_low", "", ".4f"),
             (said("to"), "order_high", "", ".4f"),
@@ -265,12 +255,7 @@ def _spread(one: FaultFrequencies) -> list[Column]:
         ("maximum", said_in("order", "maximum")),
     )
     return [
-        Column(
-            head=head,
-            values=[getattr(line, name) for line in one.lines.values()],
-            form=".4f",
-            key=name,
-        )
+        Column(head, [getattr(line, name) for line in one.lines.values()], name, form=".4f")
         for name, head in heads
     ]
 
@@ -288,30 +273,16 @@ def _harmonics(found: FrequencyResult) -> Section:
     }
     rows = [(kind, number) for kind in FAULTS for number in numbers]
     columns = [
-        Column(
-            head="",
-            values=[part_name(kind, best.element) for kind, _ in rows],
-            key="part",
-            once=True,
-        ),
-        Column(
-            head="",
-            values=[ABBREVIATIONS[FAULTS[kind]] for kind, _ in rows],
-            key="abbreviation",
-            once=True,
-        ),
-        Column(
-            head="",
-            values=[Number(float(number), ".0f", behind="×") for _, number in rows],
-            key="harmonic",
-        ),
+        Column("", [part_name(kind, best.element) for kind, _ in rows], "part", once=True),
+        Column("", [ABBREVIATIONS[FAULTS[kind]] for kind, _ in rows], "abbreviation", once=True),
+        Column("", [Number(float(number), ".0f", behind="×") for _, number in rows], "harmonic"),
         *(
             Column(
-                head=f"{side:+d}".replace("-", "−") if side else "0",
-                values=[places.get((*row, side)) for row in rows],
-                unit="Hz" if in_hertz else "",
+                f"{side:+d}".replace("-", "−") if side else "0",
+                [places.get((*row, side)) for row in rows],
+                f"sideband_{side}",
+                "Hz" if in_hertz else "",
                 form=".2f [Hz]" if in_hertz else ".4f",
-                key=f"sideband_{side}",
             )
             for side in sides
         ),
@@ -333,8 +304,8 @@ def _harmonics(found: FrequencyResult) -> Section:
         (False, "nominal"): said("Harmonics and sidebands by the geometry (orders)"),
         (False, "loaded"): said("Harmonics and sidebands under load (orders)"),
     }
-    table = Table(columns=tuple(columns), key="harmonics", legends=(legend,))
-    return Section(headings[in_hertz, best.source], (table,), key="harmonics")
+    table = Table(tuple(columns), "harmonics", legends=(legend,))
+    return Section(headings[in_hertz, best.source], (table,), "harmonics")
 
 
 def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
@@ -346,40 +317,28 @@ def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
     )
     columns = (
         Column(
-            head="",
-            values=[
+            "",
+            [
                 Number(float(one.rank), ".0f", behind="" if one.reproduces else " ×")
                 for one in alternatives
             ],
-            key="rank",
+            "rank",
             align="left",
         ),
-        Column(head="Z", values=[one.ball_count for one in alternatives], key="ball_count"),
+        Column("Z", [one.ball_count for one in alternatives], "ball_count"),
         Column(
-            head="D",
-            values=[one.ball_diameter for one in alternatives],
-            unit="mm",
-            form=".3f [mm]",
-            key="ball_diameter",
+            "D", [one.ball_diameter for one in alternatives], "ball_diameter", "mm", form=".3f [mm]"
         ),
         Column(
-            head="d_m",
-            values=[one.pitch_diameter for one in alternatives],
-            unit="mm",
+            "d_m",
+            [one.pitch_diameter for one in alternatives],
+            "pitch_diameter",
+            "mm",
             form=".2f [mm]",
-            key="pitch_diameter",
         ),
-        Column(
-            head=said("share"),
-            values=[one.share for one in alternatives],
-            unit="%",
-            form=".0f [%]",
-            key="share",
-        ),
+        Column(said("share"), [one.share for one in alternatives], "share", "%", form=".0f [%]"),
         *(
-            Column(
-                head=head, values=[one.orders[name] for one in alternatives], form=".4f", key=name
-            )
+            Column(head, [one.orders[name] for one in alternatives], name, form=".4f")
             for name, head in orders
         ),
     )
@@ -394,6 +353,6 @@ def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
             " tolerances; the band leaves it out."
         ),
     )
-    table = Table(columns=columns, key="alternatives", legends=(legend,))
+    table = Table(columns, "alternatives", legends=(legend,))
     heading = said("Other geometries that the ratings allow (orders)")
-    return Section(heading, (table,), key="alternatives")
+    return Section(heading, (table,), "alternatives")

@@ -21,8 +21,8 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.friction.models import torque_model_name
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, cautions_section
+from rolamento.pages.given import case_page, head
+from rolamento.pages.notes import cautions
 from rolamento.words import in_unit, marked, said
 
 if TYPE_CHECKING:
@@ -71,13 +71,10 @@ def friction_page(analysis: Analysis) -> Document:
     """Return the page of the friction of one case; without a result it says why and what to do."""
     solved = analysis.solved
     whole = (*solved.notes[0], *analysis.notes)
-    sections = [head(solved), *cautions_section(whole)]
+    sections: list[Section] = []
     if analysis.friction is not None:
-        sections += friction_sections(solved, analysis.friction)
-        sections += beside_sections(analysis)
-    return Document(
-        solved.title or untitled(solved.case), tuple(sections), kind="friction", main="models"
-    )
+        sections = [*friction_sections(solved, analysis.friction), *beside_sections(analysis)]
+    return case_page(solved.case, head(solved), sections, "friction", "models", cautions=whole)
 
 
 def beside_sections(analysis: Analysis) -> list[Section]:
@@ -94,16 +91,16 @@ def beside_sections(analysis: Analysis) -> list[Section]:
         lines.append((said("oil bath"), drag, drag * float(beside.speed[0])))
     torques, powers = [one for _, one, _ in lines], [one for _, _, one in lines]
     columns = (
-        Column(head="", values=[*(label for label, _, _ in lines), said("sum")], key="source"),
-        Column(head=said("torque"), values=[*torques, sum(torques)],
-               unit=torque_unit([sum(torques)]), key="torque", most=4),
-        Column(head=said("power"), values=[*powers, sum(powers)],
-               unit=power_unit([sum(powers)]), key="power"),
-    )  # fmt: skip
-    table = Table(columns=columns, key="seals_and_bath", rule=True)
+        Column("", [*(label for label, _, _ in lines), said("sum")], "source"),
+        Column(
+            said("torque"), [*torques, sum(torques)], "torque", torque_unit([sum(torques)]), most=4
+        ),
+        Column(said("power"), [*powers, sum(powers)], "power", power_unit([sum(powers)])),
+    )
+    table = Table(columns, "seals_and_bath", rule=True)
     remarks = tuple(Remark(note.text, note.key, "warning") for note in beside.notes)
     blocks: tuple[Block, ...] = (table, *([Notes(remarks)] if remarks else []))
-    return [Section(said("Whole bearing, with seals and oil bath"), blocks, key="seals_and_bath")]
+    return [Section(said("Whole bearing, with seals and oil bath"), blocks, "seals_and_bath")]
 
 
 def source_name(source: str) -> str:
@@ -169,7 +166,7 @@ def torque_and_power(solved: Solved, friction: Friction) -> Section:
         )
     notes = friction.qualifications(solved)
     blocks: tuple[Block, ...] = (Statement(named, indent=2), _totals(friction), *cautions(notes))
-    return Section(said("Friction"), blocks, key="friction")
+    return Section(said("Friction"), blocks, "friction")
 
 
 def power_name(friction: Friction, case: int = 0) -> str:
@@ -198,9 +195,9 @@ def _totals(friction: Friction) -> Table:
     values = [Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)]
     labels = [label for label, _ in rows]
     columns = (
-        Column(head="", values=labels, key="quantity"),
-        Column(head="", values=values, key="value", tone="strong"),
-        Column(head="", values=units, key="unit"),
+        Column("", labels, "quantity"),
+        Column("", values, "value", tone="strong"),
+        Column("", units, "unit"),
     )
     legends: tuple[str, ...] = ()
     if float(friction.torque_by_source.get("rib", [0.0])[0]) > 0.0:
@@ -210,7 +207,7 @@ def _totals(friction: Friction) -> Table:
             coefficient=RIB_COEFFICIENT,
         )
         legends = (text,)
-    return Table(columns=columns, key="friction", headless=True, legends=legends)
+    return Table(columns, "friction", headless=True, legends=legends)
 
 
 def _sources(friction: Friction) -> list[Section]:
@@ -218,14 +215,8 @@ def _sources(friction: Friction) -> list[Section]:
     names = [name for name in _SOURCES if name in friction.torque_by_source]
     torque = [float(friction.torque_by_source[name][0]) for name in names]
     columns = [
-        Column(head="", values=[*(source_name(name) for name in names), said("sum")], key="source"),
-        Column(
-            head=said("torque"),
-            values=[*torque, sum(torque)],
-            unit=torque_unit(torque),
-            key="torque",
-            most=4,
-        ),
+        Column("", [*(source_name(name) for name in names), said("sum")], "source"),
+        Column(said("torque"), [*torque, sum(torque)], "torque", torque_unit(torque), most=4),
     ]
     heat = np.array(
         [[friction.heat[name].inner[0].sum(), friction.heat[name].outer[0].sum()] for name in names]
@@ -235,10 +226,10 @@ def _sources(friction: Friction) -> list[Section]:
         heads = {"inner": said("heat, inner"), "outer": said("heat, outer")}
         columns += [
             Column(
-                head=text,
-                values=[*heat[:, place].tolist(), float(heat[:, place].sum())],
-                unit=watt,
-                key=f"{race}_heat",
+                text,
+                [*heat[:, place].tolist(), float(heat[:, place].sum())],
+                f"{race}_heat",
+                watt,
                 most=4,
             )
             for place, (race, text) in enumerate(heads.items())
@@ -252,8 +243,8 @@ def _sources(friction: Friction) -> list[Section]:
         legend = said(
             "torque and heat of the contacts; seals, cage and churning of the oil are not included"
         )
-    table = Table(columns=tuple(columns), key="sources", legends=(legend,), gap=3)
-    return [Section("", (table,), key="sources")]
+    table = Table(tuple(columns), "sources", legends=(legend,), gap=3)
+    return [Section("", (table,), "sources")]
 
 
 def _models(solved: Solved, friction: Friction) -> Section:
@@ -276,37 +267,25 @@ def _models(solved: Solved, friction: Friction) -> Section:
     unit = torque_unit([own for _, own, _, _, _ in entries])
     tones: list[Tone] = ["strong" if entry[0] == friction.model else "" for entry in entries]
     columns = (
+        Column("", [torque_model_name(entry[0]) for entry in entries], "model", tones=tones),
         Column(
-            head="",
-            values=[torque_model_name(entry[0]) for entry in entries],
-            key="model",
-            tones=tones,
-        ),
-        Column(
-            head=said("contacts"),
-            values=[entry[1] for entry in entries],
-            unit=unit,
-            key="contact_torque",
+            said("contacts"),
+            [entry[1] for entry in entries],
+            "contact_torque",
+            unit,
             most=4,
             tones=tones,
         ),
+        Column(said("total"), [entry[2] for entry in entries], "torque", unit, most=4, tones=tones),
         Column(
-            head=said("total"),
-            values=[entry[2] for entry in entries],
-            unit=unit,
-            key="torque",
-            most=4,
-            tones=tones,
-        ),
-        Column(
-            head=said("valid here"),
-            values=[entry[3] for entry in entries],
-            key="valid",
+            said("valid here"),
+            [entry[3] for entry in entries],
+            "valid",
             tones=["" if entry[4] else "warning" for entry in entries],
         ),
     )
     legends: tuple[str, ...] = ()
     if friction.judged != friction.validity:
         legends = (said("the models of Jones, Harris and Todd are for balls"),)
-    table = Table(columns=columns, key="models", legends=legends)
-    return Section(said("Friction torque by model"), (table,), key="models")
+    table = Table(columns, "models", legends=legends)
+    return Section(said("Friction torque by model"), (table,), "models")

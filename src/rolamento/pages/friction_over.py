@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
@@ -22,16 +23,13 @@ from rolamento.document import (
 from rolamento.friction.models import torque_model_name
 from rolamento.friction.summary import no_friction_control
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.pages.across import cautions_over, field_column, place_text
+from rolamento.pages.across import cautions_over, failures, field_column, place_text
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.studies.names import setting_name
 from rolamento.words import decimals_for, in_unit, marked, said
-from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.studies.friction_curves import FrictionCurve
 
 __all__ = ["friction_over_page"]
@@ -57,25 +55,19 @@ def friction_over_page(curves: Sequence[FrictionCurve]) -> Document:
     curves
         The case's own first, then its variants.
     """
-    title = curves[0].case.title or untitled(curves[0].case)
-    sections = [Section("", (Title(title),), key="head")]
+    title = title_of(curves[0].case)
+    sections = [Section("", (Title(title),), "head")]
     for number, curve in enumerate(curves):
         sections.append(_torques(curve, number))
         if curve.is_speed and curve.controlled is not None:
             sections.append(_ratios(curve, number))
     figure = Figure(
-        caption=said("Friction torque by model over {field}", field=curves[0].field.label),
-        draw=lambda: _picture(curves),
-        key="friction",
+        said("Friction torque by model over {field}", field=curves[0].field.label),
+        lambda: plots.friction_figure(curves),
+        "friction",
     )
-    sections.append(Section("", (figure, _points(curves)), key="points"))
+    sections.append(Section("", (figure, _points(curves)), "points"))
     return Document(title, tuple(sections), kind="friction", main="points")
-
-
-def _picture(curves: Sequence[FrictionCurve]) -> Picture:
-    from rolamento.plots.friction import friction_figure
-
-    return friction_figure(curves)
 
 
 def _variant(curve: FrictionCurve) -> list[Block]:
@@ -110,10 +102,10 @@ def _torques(curve: FrictionCurve, number: int) -> Section:
         ]
         columns.append(
             Column(
-                head=torque_model_name(model, short=True),
-                values=cells,
-                unit=unit,
-                key=model,
+                torque_model_name(model, short=True),
+                cells,
+                model,
+                unit,
                 tones=["" if holds else "warning" for holds in valid.tolist()],
             )
         )
@@ -134,10 +126,10 @@ def _torques(curve: FrictionCurve, number: int) -> Section:
             " inlets; Palmgren and SKF have formulas for the whole bearing",
             unit=unit,
         )
-    table = Table(columns=tuple(columns), key=f"torque_{number}", legends=(legend,))
+    table = Table(tuple(columns), f"torque_{number}", legends=(legend,))
     heading = said("Friction torque by model over {field}", field=curve.field.label)
     blocks = (*_variant(curve), table, *_cautions(curve), *_failures(curve))
-    return Section(heading, blocks, key=f"torque_{number}")
+    return Section(heading, blocks, f"torque_{number}")
 
 
 def _cautions(curve: FrictionCurve) -> Iterator[Block]:
@@ -182,15 +174,7 @@ def _failures(curve: FrictionCurve) -> Iterator[Block]:
         yield Statement(text, "warning", indent=2)
         if curve.controlled is None and curve.case.bearing.element == "ball":
             yield Statement(no_friction_control().text, "faint", indent=4)
-    failed = curve.status[curve.status != "converged"]
-    if failed.size:
-        text = said(
-            "{failed} of {count} points without a result: {reasons}",
-            failed=int(failed.size),
-            count=len(curve),
-            reasons=[reason(code) for code in np.unique(failed).tolist()],
-        )
-        yield Statement(text, "bad-strong", indent=2)
+    yield from failures(curve.status)
 
 
 def _ratios(curve: FrictionCurve, number: int) -> Section:
@@ -201,23 +185,23 @@ def _ratios(curve: FrictionCurve, number: int) -> Section:
         _ratio("s_i", controlled.inner_spin_to_roll, "inner_spin_to_roll"),
         _ratio("s_o", controlled.outer_spin_to_roll, "outer_spin_to_roll"),
         Column(
-            head="n_m",
-            values=[Number(value, ".4 [rpm]") for value in controlled.cage_speed.tolist()],
-            unit="rpm",
-            key="cage_speed",
+            "n_m",
+            [Number(value, ".4 [rpm]") for value in controlled.cage_speed.tolist()],
+            "cage_speed",
+            "rpm",
         ),
     )
     legend = said(
         "friction control, ball with the maximum inner load; s spin-to-roll ratio: i inner,"
         " o outer contact; n_m cage speed"
     )
-    table = Table(columns=columns, key=f"spin_to_roll_{number}", legends=(legend,))
+    table = Table(columns, f"spin_to_roll_{number}", legends=(legend,))
     heading = said("Spin-to-roll ratio over {field}", field=curve.field.label)
-    return Section(heading, (*_variant(curve), table), key=f"spin_to_roll_{number}")
+    return Section(heading, (*_variant(curve), table), f"spin_to_roll_{number}")
 
 
 def _ratio(head: str, values: FloatArray, key: str) -> Column:
-    return Column(head=head, values=values.tolist(), unit="–", key=key, figures=4, most=4)
+    return Column(head, values.tolist(), key, "–", figures=4, most=4)
 
 
 # --- the points --------------------------------------------------------------------------------
@@ -230,29 +214,21 @@ def _points(curves: Sequence[FrictionCurve]) -> Table:
     sources = list(first.friction.torque_by_source)
     across = field_column(first.field, np.concatenate([curve.values for curve in curves]))
     columns = [
-        Column(
-            head=said("variant"),
-            values=[curve.label for curve in curves for _ in curve.values],
-            key="variant",
-        ),
+        Column(said("variant"), [curve.label for curve in curves for _ in curve.values], "variant"),
         across,
-        Column(
-            head=said("status"),
-            values=[str(code) for curve in curves for code in curve.status],
-            key="status",
-        ),
+        Column(said("status"), [str(code) for curve in curves for code in curve.status], "status"),
     ]
 
     def add(key: str, unit: str, parts: Iterator[FloatArray]) -> None:
         values = np.concatenate(list(parts)).tolist()
-        columns.append(Column(head=key, values=values, unit=unit, key=key))
+        columns.append(Column(key, values, key, unit))
 
     for model in models:
         add(f"torque_{model}", "N·m", (curve.torque(model) for curve in curves))
     for model in models:
         valid = [curve.valid(model) for curve in curves]
         words = ["yes" if holds else "no" for part in valid for holds in part]
-        columns.append(Column(head=f"valid_{model}", values=words, key=f"valid_{model}"))
+        columns.append(Column(f"valid_{model}", words, f"valid_{model}"))
     for source in sources:
         add(f"torque_of_{source}", "N·m", (_of_source(curve, source) for curve in curves))
     add("torque_friction_control", "N·m", (curve.controlled_torque for curve in curves))
@@ -261,7 +237,7 @@ def _points(curves: Sequence[FrictionCurve]) -> Table:
     ):  # fmt: skip
         add(name, unit, (_of_control(curve, name) for curve in curves))
     add("film_parameter", "", (curve.friction.film_parameter for curve in curves))
-    return Table(columns=tuple(columns), key="points", only_in_files=True)
+    return Table(tuple(columns), "points", only_in_files=True)
 
 
 def _of_source(curve: FrictionCurve, source: str) -> FloatArray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import nan
 from typing import TYPE_CHECKING, Final
 
@@ -13,19 +13,70 @@ from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.profile import Profile
 from rolamento.case.roller_bearing import RollerBearing, raceway_radii
 from rolamento.case.rolling_bearing import RollingBearing
-from rolamento.document import Entry, KeyValues, Section, Title
+from rolamento.document import Beside, Document, Entry, Figure, KeyValues, Section, Title
+from rolamento.geometry import Race
 from rolamento.notes import nothing_given
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.units import Dimension, readable
-from rolamento.words import manner, said, said_in
+from rolamento.words import Note, manner, said, said_in
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Picture
+
     from rolamento.solved import Solved
 
-__all__ = ["BOTH", "facing", "head", "model_text", "no_load_text", "quantity", "reason", "untitled"]
+__all__ = [
+    "BOTH", "case_page", "facing", "head", "model_text", "no_load_text", "picture", "quantity",
+    "race_name", "reason", "title_of",
+]  # fmt: skip
 
 BOTH: Final = "±"
 _PLUS, _MINUS = "+", "−"
+
+
+def case_page(
+    case: Case,
+    first: Section,
+    sections: Iterable[Section | Beside],
+    kind: str,
+    main: str = "",
+    *,
+    notes: Iterable[Note] = (),
+    cautions: Iterable[Note] = (),
+    remarks: Iterable[Note] = (),
+) -> Document:
+    """Return the page of a case: its head, what qualifies it, its sections, its notes.
+
+    Parameters
+    ----------
+    case
+        Whose title it bears.
+    first
+        Its head, such as of `head`.
+    sections, kind, main
+        As of a `Document`.
+    notes
+        Of these those that qualify a headline stand below the head, the others at the end.
+    cautions, remarks
+        As notes, of which only the former or only the latter are shown.
+    """
+    found = tuple(notes)
+    whole = (
+        first,
+        *cautions_section((*found, *cautions)),
+        *sections,
+        *notes_section((*remarks_of(found), *remarks)),
+    )
+    return Document(title_of(case), whole, kind=kind, main=main)
+
+
+def picture(
+    caption: str, draw: Callable[[], Picture | Axes], name: str, key: str = "figure"
+) -> Section:
+    """Return a section of a picture alone. name: of the picture; key: of the section."""
+    return Section("", (Figure(caption, draw, name),), key)
 
 
 def head(solved: Solved) -> Section:
@@ -38,13 +89,20 @@ def head(solved: Solved) -> Section:
         *_status(solved),
     )
     given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
-    return Section("", (Title(solved.title or untitled(case)), KeyValues(given)), key="given")
+    return Section("", (Title(title_of(case)), KeyValues(given)), "given")
 
 
-def untitled(case: Case) -> str:
-    """Return what a case without a title is called: by what rolls in it."""
+def title_of(case: Case) -> str:
+    """Return the title of a case, or what one without is called: by what rolls in it."""
+    if case.title:
+        return case.title
     names = {one.untitled for one in case.bearing.row_types}
     return said(names.pop()) if len(names) == 1 else said("Set of bearings of several kinds")
+
+
+def race_name(race: Race | str) -> str:
+    """Return what a race is called in a line of its own."""
+    return said("inner race") if race == "inner" else said("outer race")
 
 
 def quantity(value: float, dimension: Dimension) -> str:

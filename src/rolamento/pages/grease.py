@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from math import isfinite, isnan
 from typing import TYPE_CHECKING
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -20,15 +20,13 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.pages.given import head, untitled
+from rolamento.pages.given import case_page, head, picture
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, said
 from rolamento.words.sentences.grease import BASE_OILS, FACTORS, LAWS, SETS, THICKENERS
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.lubrication.oil_choice import OilChoice
     from rolamento.tasks.grease import GreaseCase
 
@@ -46,30 +44,19 @@ def grease_page(found: GreaseCase) -> Document:
         What `rolamento.tasks.grease_of_case` gives.
     """
     solved = found.solved
-    title = solved.title or untitled(solved.case)
     blocks = (*grease_statement(found), *cautions(found.notes))
-    sections = [head(solved), Section(said("Grease"), blocks, key="grease")]
+    sections = [Section(said("Grease"), blocks, "grease")]
     if found.lives:
         sections.append(_lives(found))
-        figure = Figure(
-            caption=said("Life of the grease over the temperature"),
-            draw=lambda: _picture(found),
-            key="grease",
-        )
-        sections.append(Section("", (figure,), key="figure"))
+        caption = said("Life of the grease over the temperature")
+        sections.append(picture(caption, lambda: plots.grease_figure(found), "grease"))
     if found.intervals:
         sections.append(_intervals(found))
     sections.append(_limits(found))
     if found.oil is not None:
         sections.append(_which(found))
-    sections += notes_section(remarks_of(found.notes))
-    return Document(title, tuple(sections), kind="grease", main="lives")
-
-
-def _picture(found: GreaseCase) -> Picture:
-    from rolamento.plots.grease import grease_figure
-
-    return grease_figure(found)
+    remarks = remarks_of(found.notes)
+    return case_page(solved.case, head(solved), sections, "grease", "lives", remarks=remarks)
 
 
 def grease_statement(found: GreaseCase) -> Iterator[Block]:
@@ -112,18 +99,11 @@ def _lives(found: GreaseCase) -> Section:
     hours: list[CellContent] = [Number(HOUR * one.hours, _HOURS) for one in found.lives]
     notes = ["; ".join(note.text for note in one.notes) or ABSENT for one in found.lives]
     columns = (
-        Column(
-            head="", values=[said(LAWS[one.name]) for one in found.lives], key="law", tones=tones
-        ),
-        Column(
-            head=said("mean life"), values=hours, unit="h", key="hours", align="right", tones=tones
-        ),
-        Column(head=said("range"), values=notes, key="notes", tone="faint"),
-        Column(
-            head=said("source"), values=[one.source for one in found.lives], key="source",
-            only_in_files=True,
-        ),
-    )  # fmt: skip
+        Column("", [said(LAWS[one.name]) for one in found.lives], "law", tones=tones),
+        Column(said("mean life"), hours, "hours", "h", align="right", tones=tones),
+        Column(said("range"), notes, "notes", tone="faint"),
+        Column(said("source"), [one.source for one in found.lives], "source", only_in_files=True),
+    )
     duty = found.duty
     legend = said(
         "at {temperature:.4 °C}, n/N = {ratio:.3}, n d_m = {product:.3r}, P/C = {load:.3}",
@@ -132,8 +112,8 @@ def _lives(found: GreaseCase) -> Section:
         product=duty.speed_factor,
         load=duty.load_ratio,
     )
-    table = Table(columns=columns, key="lives", legends=(legend,), rule=True, fixed=1)
-    return Section(said("Life of the grease"), (table,), key="lives")
+    table = Table(columns, "lives", legends=(legend,), rule=True, fixed=1)
+    return Section(said("Life of the grease"), (table,), "lives")
 
 
 def _intervals(found: GreaseCase) -> Section:
@@ -144,29 +124,26 @@ def _intervals(found: GreaseCase) -> Section:
         if pair != (1.0, 1.0) or name == "temperature"
     )
     names = list(dict.fromkeys(acting))
-    columns = [
-        Column(head="", values=[said(SETS[one.name]) for one in found.intervals], key="set"),
-    ]
+    columns = [Column("", [said(SETS[one.name]) for one in found.intervals], "set")]
     for end, head_ in (("low", said("from")), ("high", said("to"))):
         values: list[CellContent] = [
             Number(HOUR * getattr(one, end), _HOURS) for one in found.intervals
         ]
-        columns.append(Column(head=head_, values=values, unit="h", key=end, align="right"))
+        columns.append(Column(head_, values, end, "h", align="right"))
     for name in names:
         texts = [_factor(one.factors.get(name)) for one in found.intervals]
-        columns.append(Column(head=said(FACTORS[name]), values=texts, key=name, align="right"))
+        columns.append(Column(said(FACTORS[name]), texts, name, align="right"))
     columns.append(
         Column(
-            head=said("source"), values=[one.source for one in found.intervals], key="source",
-            only_in_files=True,
+            said("source"), [one.source for one in found.intervals], "source", only_in_files=True
         )
-    )  # fmt: skip
+    )
     legend = said(
         "factors on K (14·10⁶/(n √d) − 4 d) = {base:.3r h}; FAG's are ranges, from general"
         " knowledge of its publication",
         base=HOUR * found.base,
     )
-    table = Table(columns=tuple(columns), key="intervals", legends=(legend,), rule=True, fixed=1)
+    table = Table(tuple(columns), "intervals", legends=(legend,), rule=True, fixed=1)
     blocks: list[Block] = [table]
     if isfinite(found.amount_side):
         entries = [
@@ -176,8 +153,8 @@ def _intervals(found: GreaseCase) -> Section:
         if isfinite(found.amount_fag):
             entries.append(Entry(said("FAG, by the interval"), _grams(found.amount_fag)))
         blocks.append(Statement(said("Amount of each relubrication"), indent=2))
-        blocks.append(KeyValues(tuple(entries), indent=4))
-    return Section(said("Relubrication"), tuple(blocks), key="intervals")
+        blocks.append(KeyValues(tuple(entries), 4))
+    return Section(said("Relubrication"), tuple(blocks), "intervals")
 
 
 def _grams(kilograms: float) -> str:
@@ -221,7 +198,7 @@ def _limits(found: GreaseCase) -> Section:
             product=duty.speed_factor,
         )
     entries.append(Entry(said("speed"), text, "warning" if fast else ""))
-    return Section(said("Limits"), (KeyValues(tuple(entries), indent=2),), key="limits")
+    return Section(said("Limits"), (KeyValues(tuple(entries), 2),), "limits")
 
 
 def _which(found: GreaseCase) -> Section:
@@ -247,7 +224,7 @@ def _which(found: GreaseCase) -> Section:
         ),
         Entry(said("consistency"), _nlgi(found)),
     ]
-    return Section(said("Which grease"), (KeyValues(tuple(entries), indent=2),), key="which")
+    return Section(said("Which grease"), (KeyValues(tuple(entries), 2),), "which")
 
 
 def _nlgi(found: GreaseCase) -> str:
@@ -288,7 +265,7 @@ def oil_page(found: OilChoice, title: str) -> Document:
         )
         statement = Statement(text, "strong", indent=2)
     sections = [
-        Section("", (Title(title), statement, *cautions(found.notes)), key="head"),
+        Section("", (Title(title), statement, *cautions(found.notes)), "head"),
         oil_section(found),
         *notes_section(remarks_of(found.notes)),
     ]
@@ -304,29 +281,27 @@ def oil_section(found: OilChoice) -> Section:
     ]
     columns = [
         Column(
-            head="", values=["▸" if one.name == found.chosen else "" for one in grades],
-            key="leads", tone="good-strong",
+            "",
+            ["▸" if one.name == found.chosen else "" for one in grades],
+            "leads",
+            tone="good-strong",
         ),
-        Column(head=said("grade"), values=[one.name for one in grades], key="grade", tones=tones),
-    ]  # fmt: skip
+        Column(said("grade"), [one.name for one in grades], "grade", tones=tones),
+    ]
     for end, temperature in (("cold", found.coldest), ("hot", found.hottest)):
         where = said("{temperature:.4 °C}", temperature=temperature)
         ratios = [getattr(one, f"ratio_{end}") for one in grades]
         columns += [
             Column(
-                head=said("ν at {where}", where=where),
-                values=[getattr(one, f"viscosity_{end}") for one in grades],
-                unit="mm²/s",
+                said("ν at {where}", where=where),
+                [getattr(one, f"viscosity_{end}") for one in grades],
+                f"viscosity_{end}",
+                "mm²/s",
                 form=".3 [mm²/s]",
-                key=f"viscosity_{end}",
                 tones=tones,
             ),
             Column(
-                head=said("κ at {where}", where=where),
-                values=ratios,
-                form=".3",
-                key=f"ratio_{end}",
-                tones=tones,
+                said("κ at {where}", where=where), ratios, f"ratio_{end}", form=".3", tones=tones
             ),
         ]
         if found.coldest == found.hottest:
@@ -339,5 +314,5 @@ def oil_section(found: OilChoice) -> Section:
         kappa=found.required,
         needed=found.needed_40,
     )
-    table = Table(columns=tuple(columns), key="grades", legends=(legend,), rule=True, fixed=2)
-    return Section(said("Grades"), (table,), key="grades")
+    table = Table(tuple(columns), "grades", legends=(legend,), rule=True, fixed=2)
+    return Section(said("Grades"), (table,), "grades")

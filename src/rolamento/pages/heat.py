@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from math import isfinite, nan
+from math import nan
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -23,18 +23,18 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.heat import CONDUCTANCES, NODES
-from rolamento.pages.across import cautions_over, field_column
+from rolamento.pages.across import cautions_over, failures, field_column
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, picture, title_of
+from rolamento.pages.notes import cautions
+from rolamento.pages.quantities import Quantity, beside
+from rolamento.units import HOUR
 from rolamento.words import marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import CONDUCTANCE_NAMES, PLACE_NAMES
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from matplotlib.figure import Figure as Picture
+    from collections.abc import Callable, Iterator, Sequence
 
     from rolamento.heat import HeatBalance, HeatState
     from rolamento.studies.heat_curves import HeatOver
@@ -57,25 +57,21 @@ def heat_page(found: HeatBalance) -> Document:
     found
         What `rolamento.heat.heat_balance` gives.
     """
-    title = found.case.title or untitled(found.case)
-    sections = [
-        Section("", (Title(title), *_headline(found)), key="head"),
-        *cautions_section(found.notes),
-    ]
-    if found.warm is not None:
-        sections += [_nodes(found), _flows(found)]
+    sections = [] if found.warm is None else [_nodes(found), _flows(found)]
     sections.append(_states_beside(found))
     if found.roots:
         sections.append(_roots(found))
     if len(found.curve.power):
-        figure = Figure(
-            caption=said("Friction and the heat that is removed, over the temperature"),
-            draw=lambda: _picture(found),
-            key="heat",
-        )
-        sections.append(Section("", (figure,), key="figure"))
-    sections += notes_section(remarks_of(found.notes))
-    return Document(title, tuple(sections), kind="heat", main="nodes")
+        caption = said("Friction and the heat that is removed, over the temperature")
+        sections.append(picture(caption, lambda: plots.heat_figure(found), "heat"))
+    return case_page(
+        found.case,
+        Section("", (Title(title_of(found.case)), *_headline(found)), "head"),
+        sections,
+        "heat",
+        "nodes",
+        notes=found.notes,
+    )
 
 
 def heat_blocks(found: HeatBalance) -> list[Block]:
@@ -91,12 +87,6 @@ def heat_blocks(found: HeatBalance) -> list[Block]:
     own = [*_headline(found), *(block for one in sections for block in one.blocks)]
     remarks = cautions([note for note in found.notes if note.key in _OF_HEAT])
     return [*own, *remarks]
-
-
-def _picture(found: HeatBalance) -> Picture:
-    from rolamento.plots.heat import heat_figure
-
-    return heat_figure(found)
 
 
 def _headline(found: HeatBalance) -> Iterator[Block]:
@@ -120,9 +110,7 @@ def _headline(found: HeatBalance) -> Iterator[Block]:
     ]
     if found.cold.preload is not None and warm.preload is not None:
         text = said(
-            "{cold:.4 [N]} → {warm:.4 N} (cold → warm)",
-            cold=found.cold.preload,
-            warm=warm.preload,
+            "{cold:.4 [N]} → {warm:.4 N} (cold → warm)", cold=found.cold.preload, warm=warm.preload
         )
         entries.append(Entry(said("preload"), text))
     entries.append(
@@ -144,25 +132,19 @@ def _nodes(found: HeatBalance) -> Section:
     most = max(root.temperatures.values())
     tones: list[Tone] = ["strong" if root.temperatures[one] == most else "" for one in NODES]
     columns = (
-        Column(head="", values=[said(PLACE_NAMES[one]) for one in NODES], key="node", tones=tones),
+        Column("", [said(PLACE_NAMES[one]) for one in NODES], "node", tones=tones),
         Column(
-            head=said("temperature"),
-            values=[Number(root.temperatures[one], ".1f [°C]") for one in NODES],
-            unit="°C",
-            key="temperature",
+            said("temperature"),
+            [Number(root.temperatures[one], ".1f [°C]") for one in NODES],
+            "temperature",
+            "°C",
             align="right",
             tones=tones,
         ),
-        Column(
-            head=said("heat put in"),
-            values=[heated[one] for one in NODES],
-            unit="W",
-            key="heat",
-            tones=tones,
-        ),
+        Column(said("heat put in"), [heated[one] for one in NODES], "heat", "W", tones=tones),
     )
-    table = Table(columns=columns, key="nodes", rule=True, fixed=1)
-    return Section(said("Temperatures"), (table,), key="nodes")
+    table = Table(columns, "nodes", rule=True, fixed=1)
+    return Section(said("Temperatures"), (table,), "nodes")
 
 
 def _flows(found: HeatBalance) -> Section:
@@ -180,95 +162,87 @@ def _flows(found: HeatBalance) -> Section:
         is_estimate = name in network.estimated
         origin.append(said("estimated") if is_estimate else said("given"))
     columns = (
-        Column(head="", values=labels, key="between"),
-        Column(head=said("heat flow"), values=powers, unit="W", key="power"),
-        Column(head=said("conductance"), values=values, unit="W/K", key="conductance", figures=3),
-        Column(head="", values=origin, key="origin", tone="faint"),
+        Column("", labels, "between"),
+        Column(said("heat flow"), powers, "power", "W"),
+        Column(said("conductance"), values, "conductance", "W/K", figures=3),
+        Column("", origin, "origin", tone="faint"),
     )
-    table = Table(columns=columns, key="flows", rule=True, fixed=1)
-    return Section(said("Heat flows"), (table,), key="flows")
+    table = Table(columns, "flows", rule=True, fixed=1)
+    return Section(said("Heat flows"), (table,), "flows")
 
 
 def _states_beside(found: HeatBalance) -> Section:
     """Cold beside warm, line by line."""
     states: list[HeatState] = [found.cold, *([found.warm] if found.warm is not None else [])]
-    torques = [one.torque for one in states]
-    unit = torque_unit(torques)
-    lines: list[tuple[str, list[float], str, int]] = [
-        (said("inner ring"), [one.temperatures["inner_ring"] for one in states], "°C", 4),
-        (said("outer ring"), [one.temperatures["outer_ring"] for one in states], "°C", 4),
-        (said("lubricant"), [_known(one.lubricant) for one in states], "°C", 4),
-        (said("preload"), [_known(one.preload) for one in states], "N", 4),
-        (said("axial load"), [one.axial_load or nan for one in states], "N", 4),
-        *_of_rows(said("clearance"), [one.clearance for one in states], "µm"),
-        *_of_rows(said("free contact angle"), [one.contact_angle for one in states], "°"),
-        (said("maximum pressure"), [one.max_pressure for one in states], "MPa", 4),
-        (said("film parameter λ"), [_known(one.film_parameter) for one in states], "", 3),
-        (said("viscosity ratio κ"), [_known(one.viscosity_ratio) for one in states], "", 3),
-        (said("friction torque"), torques, unit, 4),
-        (said("power loss"), [one.power for one in states], "W", 4),
-        (said("life"), [3600.0 * _known(one.life_hours) for one in states], "h", 3),
+    temperatures: list[Quantity[HeatState]] = [
+        Quantity(said("inner ring"), lambda one: one.temperatures["inner_ring"], ".4 °C"),
+        Quantity(said("outer ring"), lambda one: one.temperatures["outer_ring"], ".4 °C"),
+        Quantity(said("lubricant"), lambda one: one.lubricant, ".4 °C"),
+        Quantity(said("preload"), lambda one: one.preload, ".4 N"),
+        Quantity(said("axial load"), lambda one: one.axial_load or None, ".4 N"),
     ]
-    shown = [line for line in lines if any(isfinite(value) for value in line[1])]
-    columns = [
-        Column(head="", values=[label for label, *_ in shown], key="quantity"),
-        Column(head=said("unit"), values=[unit for _, _, unit, _ in shown], key="unit"),
+    results: list[Quantity[HeatState]] = [
+        Quantity(said("maximum pressure"), lambda one: one.max_pressure, ".4 MPa"),
+        Quantity(said("film parameter λ"), lambda one: one.film_parameter, ".3"),
+        Quantity(said("viscosity ratio κ"), lambda one: one.viscosity_ratio, ".3"),
+        Quantity(
+            said("friction torque"),
+            lambda one: one.torque,
+            f".4 {torque_unit([one.torque for one in states])}",
+        ),
+        Quantity(said("power loss"), lambda one: one.power, ".4 W"),
+        Quantity(said("life"), lambda one: HOUR * (one.life_hours or nan), ".3 h"),
     ]
+    lines = [
+        *temperatures,
+        *_of_rows(said("clearance"), lambda one: one.clearance, ".4 µm", states),
+        *_of_rows(said("free contact angle"), lambda one: one.contact_angle, ".4 °", states),
+        *results,
+    ]
+    shown = [line for line in lines if line.known(states)]
     heads = (("cold", said("cold")), ("warm", said("warm")))
-    for place, (key, text) in enumerate(heads[: len(states)]):
-        cells: list[CellContent] = [
-            Number(values[place], f".{figures} [{unit}]" if unit else f".{figures}")
-            for _, values, unit, figures in shown
-        ]
-        columns.append(Column(head=text, values=cells, key=key, align="right"))
+    things = [(*head, state) for head, state in zip(heads, states, strict=False)]
     heading = said("Cold and warm") if len(states) > 1 else said("Cold")
-    table = Table(columns=tuple(columns), key="states", rule=True, fixed=1)
-    return Section(heading, (table,), key="states")
+    table = Table(tuple(beside(shown, things)), "states", rule=True, fixed=1)
+    return Section(heading, (table,), "states")
 
 
 def _of_rows(
-    label: str, states: Sequence[Sequence[float]], unit: str
-) -> list[tuple[str, list[float], str, int]]:
+    label: str, get: Callable[[HeatState], Sequence[float]], form: str, states: Sequence[HeatState]
+) -> list[Quantity[HeatState]]:
     """A line for all rows that are alike in every state, else one for each."""
-    rows = len(states[0])
-    alike = all(np.ptp(one) <= 1e-9 * np.max(np.abs(one)) for one in states) or rows == 1
-    if alike:
-        return [(label, [one[0] for one in states], unit, 4)]
-    return [
-        (said("{label}, row {number}", label=label, number=row), [one[row] for one in states],
-         unit, 4)
-        for row in range(rows)
-    ]  # fmt: skip
+    rows = len(get(states[0]))
+    if rows == 1 or all(np.ptp(get(one)) <= 1e-9 * np.max(np.abs(get(one))) for one in states):
+        return [Quantity(label, lambda one: get(one)[0], form)]
 
+    def of_row(row: int) -> Quantity[HeatState]:
+        text = said("{label}, row {number}", label=label, number=row)
+        return Quantity(text, lambda one: get(one)[row], form)
 
-def _known(value: float | None) -> float:
-    return nan if value is None else value
+    return [of_row(row) for row in range(rows)]
 
 
 def _roots(found: HeatBalance) -> Section:
     roots = found.roots
     tones: list[Tone] = ["" if one.stable else "warning" for one in roots]
     columns = [
-        Column(head="", values=[said(_STABLE[one.stable]) for one in roots], key="stability",
-               tones=tones),
-        Column(head=said("power loss"), values=[one.power for one in roots], unit="W", key="power"),
-    ]  # fmt: skip
+        Column("", [said(_STABLE[one.stable]) for one in roots], "stability", tones=tones),
+        Column(said("power loss"), [one.power for one in roots], "power", "W"),
+    ]
     columns += [
         Column(
-            head=said(PLACE_NAMES[node]),
-            values=[Number(one.temperatures[node], ".1f [°C]") for one in roots],
-            unit="°C",
-            key=node,
+            said(PLACE_NAMES[node]),
+            [Number(one.temperatures[node], ".1f [°C]") for one in roots],
+            node,
+            "°C",
             align="right",
         )
         for node in NODES
     ]
-    columns.append(
-        Column(head="dF/dP", values=[one.slope for one in roots], unit="–", key="slope", figures=3)
-    )
+    columns.append(Column("dF/dP", [one.slope for one in roots], "slope", "–", figures=3))
     legend = said("dF/dP how much friction a watt of heat more makes; stable below 1")
-    table = Table(columns=tuple(columns), key="roots", legends=(legend,), rule=True, fixed=1)
-    return Section(said("All states below the temperature limit"), (table,), key="roots")
+    table = Table(tuple(columns), "roots", legends=(legend,), rule=True, fixed=1)
+    return Section(said("All states below the temperature limit"), (table,), "roots")
 
 
 # --- over a field ---------------------------------------------------------------------------------
@@ -282,66 +256,44 @@ def heat_over_page(found: HeatOver) -> Document:
     found
         What `rolamento.studies.heat_curves.heat_over` gives.
     """
-    title = found.case.title or untitled(found.case)
+    title = title_of(found.case)
     across = field_column(found.field, found.values)
     columns = [across]
     for node, values in zip(NODES, found.temperatures, strict=True):
         cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
-        columns.append(
-            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
-        )
-    columns.append(
-        Column(head=said("power loss"), values=found.power.tolist(), unit="W", key="power")
-    )
+        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(Column(said("power loss"), found.power.tolist(), "power", "W"))
     if found.has_preload:
         for head, key, values in (
             (said("preload, cold"), "cold_preload", found.cold_preload),
             (said("preload, warm"), "warm_preload", found.warm_preload),
         ):
-            columns.append(Column(head=head, values=values.tolist(), unit="N", key=key))
+            columns.append(Column(head, values.tolist(), key, "N"))
     columns += [
-        Column(head="p", values=found.max_pressure.tolist(), unit="MPa", key="max_pressure"),
-        Column(head="dF/dP", values=found.slope.tolist(), unit="–", key="slope", figures=3),
+        Column("p", found.max_pressure.tolist(), "max_pressure", "MPa"),
+        Column("dF/dP", found.slope.tolist(), "slope", "–", figures=3),
         *(
-            Column(head=head, values=values.tolist(), unit=unit, key=key, only_in_files=True)
+            Column(head, values.tolist(), key, unit, only_in_files=True)
             for head, values, unit, key in (
                 (said("axial stiffness"), found.axial_stiffness, "N/µm", "axial_stiffness"),
                 (said("free contact angle"), found.contact_angle, "°", "contact_angle"),
                 (said("viscosity ratio κ"), found.viscosity_ratio, "", "viscosity_ratio"),
             )
         ),
-        Column(head=said("status"), values=found.status.tolist(), key="status", only_in_files=True),
+        Column(said("status"), found.status.tolist(), "status", only_in_files=True),
     ]
     legend = said(
         "p maximum pressure; dF/dP how much friction a watt of heat more makes, stable below 1"
     )
-    table = Table(columns=tuple(columns), key="points", legends=(legend,))
+    table = Table(tuple(columns), "points", legends=(legend,))
     blocks: list[Block] = [table, *cautions_over(found.field, found.values, found.cautions)]
-    failed = found.status[found.failed()]
-    if failed.size:
-        text = said(
-            "{failed} of {count} points without a result: {reasons}",
-            failed=int(failed.size),
-            count=len(found),
-            reasons=[reason(code) for code in np.unique(failed).tolist()],
-        )
-        blocks.append(Statement(text, "bad-strong", indent=2))
-    figure = Figure(
-        caption=said("Heat balance over {field}", field=found.field.label),
-        draw=lambda: _picture_over(found),
-        key="heat",
-    )
+    blocks += failures(found.status)
+    heading = said("Heat balance over {field}", field=found.field.label)
     sections = (
-        Section("", (Title(title),), key="head"),
+        Section("", (Title(title),), "head"),
         Section(
-            said("Heat balance over {field}", field=found.field.label), tuple(blocks), key="points"
+            said("Heat balance over {field}", field=found.field.label), tuple(blocks), "points"
         ),
-        Section("", (figure,), key="figure"),
+        picture(heading, lambda: plots.heat_over_figure(found), "heat"),
     )
     return Document(title, sections, kind="heat", main="points")
-
-
-def _picture_over(found: HeatOver) -> Picture:
-    from rolamento.plots.heat import heat_over_figure
-
-    return heat_over_figure(found)

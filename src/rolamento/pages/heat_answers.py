@@ -3,36 +3,25 @@
 from __future__ import annotations
 
 from math import isfinite, isinf, isnan, nan
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Number,
-    Section,
-    Table,
-    Title,
-)
+from rolamento import plots
+from rolamento.document import Column, Document, Entry, KeyValues, Section, Table, Title
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, picture, title_of
+from rolamento.pages.quantities import Quantity, beside
+from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import VARIANT_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
+    from collections.abc import Callable
 
-    from rolamento.heat import HeatBalance
+    from rolamento.heat import HeatBalance, HeatState
     from rolamento.tasks.heat import HeatAnswers
 
 __all__ = ["heat_answers_page"]
-
-_PLAIN: Final = ".4"
 
 
 def heat_answers_page(found: HeatAnswers) -> Document:
@@ -44,27 +33,16 @@ def heat_answers_page(found: HeatAnswers) -> Document:
         What `rolamento.tasks.heat.heat_answers` gives.
     """
     own = found.balance
-    title = own.case.title or untitled(own.case)
-    figure = Figure(
-        caption=said("Temperatures and preload of the variants"),
-        draw=lambda: _picture(found),
-        key="variants",
+    caption = said("Temperatures and preload of the variants")
+    shown = picture(caption, lambda: plots.heat_variants_figure(found.variants), "variants")
+    return case_page(
+        own.case,
+        Section("", (Title(title_of(own.case)), KeyValues(tuple(_answers(found)))), "head"),
+        [_variants(found), shown, *_distances(found)],
+        "heat_answers",
+        "variants",
+        notes=own.notes,
     )
-    sections = [
-        Section("", (Title(title), KeyValues(tuple(_answers(found)))), key="head"),
-        *cautions_section(own.notes),
-        _variants(found),
-        Section("", (figure,), key="figure"),
-        *_distances(found),
-        *notes_section(remarks_of(own.notes)),
-    ]
-    return Document(title, tuple(sections), kind="heat_answers", main="variants")
-
-
-def _picture(found: HeatAnswers) -> Picture:
-    from rolamento.plots.heat import heat_variants_figure
-
-    return heat_variants_figure(found.variants)
 
 
 def _answers(found: HeatAnswers) -> list[Entry]:
@@ -73,10 +51,12 @@ def _answers(found: HeatAnswers) -> list[Entry]:
         entries.append(
             Entry(
                 said("permissible speed"),
-                said("{speed:.4 rpm} by DIN 732-2, of one bearing without preload",
-                     speed=found.permissible_speed),
+                said(
+                    "{speed:.4 rpm} by DIN 732-2, of one bearing without preload",
+                    speed=found.permissible_speed,
+                ),
             )
-        )  # fmt: skip
+        )
     neutral = found.neutral
     if neutral is not None:
         text = (
@@ -120,51 +100,36 @@ def _oil(found: HeatAnswers) -> str:
 
 
 def _variants(found: HeatAnswers) -> Section:
-    balances = [one.balance for one in found.variants]
-    torques = [nan if one.warm is None else one.warm.torque for one in balances]
-    unit = torque_unit(torques if any(map(isfinite, torques)) else [1.0])
-
-    def warm(one: HeatBalance, name: str, factor: float = 1.0) -> float:
-        value = None if one.warm is None else getattr(one.warm, name)
-        return nan if value is None else factor * value
-
-    def at(one: HeatBalance, node: str) -> float:
-        return one.temperatures[node]
-
-    lines = [
-        (said("inner ring"), [at(one, "inner_ring") for one in balances], "°C", ".1f"),
-        (said("outer ring"), [at(one, "outer_ring") for one in balances], "°C", ".1f"),
-        (said("power loss"), [one.power for one in balances], "W", _PLAIN),
-        (said("friction torque"), torques, unit, _PLAIN),
-        (said("preload, cold"), [one.cold.preload or nan for one in balances], "N", _PLAIN),
-        (said("preload, warm"), [warm(one, "preload") for one in balances], "N", _PLAIN),
-        (said("axial stiffness"), [warm(one, "axial_stiffness") for one in balances], "N/µm",
-         _PLAIN),
-        (said("maximum pressure"), [warm(one, "max_pressure") for one in balances], "MPa", _PLAIN),
-        (said("film parameter λ"), [warm(one, "film_parameter") for one in balances], "", ".3"),
-        (said("viscosity ratio κ"), [warm(one, "viscosity_ratio") for one in balances], "", ".3"),
-        (said("life"), [warm(one, "life_hours", 3600.0) for one in balances], "h", ".3"),
-    ]  # fmt: skip
-    shown = [line for line in lines if any(isfinite(value) for value in line[1])]
-    columns = [
-        Column(head="", values=[label for label, *_ in shown], key="quantity"),
-        Column(head=said("unit"), values=[unit for _, _, unit, _ in shown], key="unit"),
+    warm = [one.balance.warm for one in found.variants]
+    torques = [one.torque for one in warm if one is not None and isfinite(one.torque)]
+    torque = f".4 {torque_unit(torques or [1.0])}"
+    lines: list[Quantity[HeatBalance]] = [
+        Quantity(said("inner ring"), lambda one: one.temperatures["inner_ring"], ".1f °C"),
+        Quantity(said("outer ring"), lambda one: one.temperatures["outer_ring"], ".1f °C"),
+        Quantity(said("power loss"), lambda one: one.power, ".4 W"),
+        _warm(said("friction torque"), lambda one: one.torque, torque),
+        Quantity(said("preload, cold"), lambda one: one.cold.preload or None, ".4 N"),
+        _warm(said("preload, warm"), lambda one: one.preload, ".4 N"),
+        _warm(said("axial stiffness"), lambda one: one.axial_stiffness, ".4 N/µm"),
+        _warm(said("maximum pressure"), lambda one: one.max_pressure, ".4 MPa"),
+        _warm(said("film parameter λ"), lambda one: one.film_parameter, ".3"),
+        _warm(said("viscosity ratio κ"), lambda one: one.viscosity_ratio, ".3"),
+        _warm(said("life"), lambda one: HOUR * (one.life_hours or nan), ".3 h"),
     ]
-    for place, one in enumerate(found.variants):
-        cells: list[CellContent] = [
-            Number(values[place], f"{form} [{own}]" if own else form)
-            for _, values, own, form in shown
-        ]
-        columns.append(
-            Column(head=said(VARIANT_NAMES[one.name]), values=cells, key=one.name, align="right")
-        )
+    balances = [one.balance for one in found.variants]
+    shown = [line for line in lines if line.known(balances)]
+    things = [(one.name, said(VARIANT_NAMES[one.name]), one.balance) for one in found.variants]
     legends = tuple(
         f"{said(VARIANT_NAMES[one.name])}: {reason(one.balance.status)}"
         for one in found.variants
         if not one.balance.converged
     )
-    table = Table(columns=tuple(columns), key="variants", legends=legends, rule=True, fixed=2)
-    return Section(said("With one thing changed"), (table,), key="variants")
+    table = Table(tuple(beside(shown, things)), "variants", legends=legends, rule=True, fixed=2)
+    return Section(said("With one thing changed"), (table,), "variants")
+
+
+def _warm(label: str, get: Callable[[HeatState], float | None], form: str) -> Quantity[HeatBalance]:
+    return Quantity(label, lambda one: None if one.warm is None else get(one.warm), form)
 
 
 def _distances(found: HeatAnswers) -> list[Section]:
@@ -172,10 +137,9 @@ def _distances(found: HeatAnswers) -> list[Section]:
     if neutral is None:
         return []
     columns = (
-        Column(head=said("distance of the rows"), values=neutral.spacing.tolist(), unit="mm",
-               key="spacing"),
-        Column(head=said("preload, cold"), values=neutral.cold.tolist(), unit="N", key="cold"),
-        Column(head=said("preload, warm"), values=neutral.warm.tolist(), unit="N", key="warm"),
-    )  # fmt: skip
-    table = Table(columns=columns, key="distances", only_in_files=True)
-    return [Section("", (table,), key="distances")]
+        Column(said("distance of the rows"), neutral.spacing.tolist(), "spacing", "mm"),
+        Column(said("preload, cold"), neutral.cold.tolist(), "cold", "N"),
+        Column(said("preload, warm"), neutral.warm.tolist(), "warm", "N"),
+    )
+    table = Table(columns, "distances", only_in_files=True)
+    return [Section("", (table,), "distances")]

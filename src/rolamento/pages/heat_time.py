@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -21,8 +21,8 @@ from rolamento.document import (
     Title,
 )
 from rolamento.heat import NODES
-from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, picture, title_of
+from rolamento.pages.notes import remarks_of
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import PLACE_NAMES
@@ -47,14 +47,14 @@ def heat_time_page(found: HeatTransient) -> Document:
     found
         What `rolamento.heat.heat_transient` gives.
     """
-    title = found.case.title or untitled(found.case)
-    sections = [
-        Section("", (Title(title), *_headline(found)), key="head"),
-        *cautions_section(found.notes),
-        *_course(found),
-        *notes_section(remarks_of(found.notes)),
-    ]
-    return Document(title, tuple(sections), kind="heat_time", main="course")
+    return case_page(
+        found.case,
+        Section("", (Title(title_of(found.case)), *_headline(found)), "head"),
+        _course(found),
+        "heat_time",
+        "course",
+        notes=found.notes,
+    )
 
 
 def _headline(found: HeatTransient) -> list[Block]:
@@ -92,28 +92,18 @@ def _course(found: HeatTransient) -> list[Section]:
         return []
     shown = _moments(found)
     every = np.arange(len(found))
-    figure = Figure(
-        caption=said("Temperatures, power and preload in time"),
-        draw=lambda: _picture(found),
-        key="course",
-    )
+    caption = said("Temperatures, power and preload in time")
     return [
         Section(
             said("In time"),
             (
-                Table(columns=_columns(found, shown), key="moments", legends=_legends(found)),
-                Table(columns=_columns(found, every), key="course", only_in_files=True),
+                Table(_columns(found, shown), "moments", legends=_legends(found)),
+                Table(_columns(found, every), "course", only_in_files=True),
             ),
-            key="course",
+            "course",
         ),
-        Section("", (figure,), key="figure"),
+        picture(caption, lambda: plots.heat_time_figure([("", found)]), "course"),
     ]
-
-
-def _picture(found: HeatTransient) -> Picture:
-    from rolamento.plots.heat import heat_time_figure
-
-    return heat_time_figure([("", found)])
 
 
 def _legends(found: HeatTransient) -> tuple[str, ...]:
@@ -137,34 +127,26 @@ def _columns(
 ) -> tuple[Column, ...]:
     columns = [
         Column(
-            head=said("time"),
-            values=[Number(one, ".3 [min]") for one in found.time[some].tolist()],
-            unit="min",
-            key="time",
+            said("time"),
+            [Number(one, ".3 [min]") for one in found.time[some].tolist()],
+            "time",
+            "min",
             align="right",
         )
     ]
     if np.ptp(found.speed) > 0.0:
         columns.append(
-            Column(head=said("speed"), values=found.speed[some].tolist(), unit="%",
-                   key="speed_factor", figures=3)
-        )  # fmt: skip
+            Column(said("speed"), found.speed[some].tolist(), "speed_factor", "%", figures=3)
+        )
     for node, values in zip(NODES, found.temperatures[:, some], strict=True):
         cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
-        columns.append(
-            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
-        )
-    columns.append(
-        Column(head=said("power loss"), values=found.power[some].tolist(), unit="W", key="power")
-    )
+        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(Column(said("power loss"), found.power[some].tolist(), "power", "W"))
     if found.has_preload:
         columns.append(
-            Column(head=said("preload"), values=found.preload[some].tolist(), unit="N",
-                   key="preload", peak="maximum")
-        )  # fmt: skip
-    columns.append(
-        Column(head="p", values=found.max_pressure[some].tolist(), unit="MPa", key="max_pressure")
-    )
+            Column(said("preload"), found.preload[some].tolist(), "preload", "N", peak="maximum")
+        )
+    columns.append(Column("p", found.max_pressure[some].tolist(), "max_pressure", "MPa"))
     return tuple(columns)
 
 
@@ -179,24 +161,18 @@ def warm_up_page(found: WarmUp) -> Document:
     found
         What `rolamento.tasks.heat.warm_up` gives.
     """
-    case = found.at_once.case
-    title = case.title or untitled(case)
-    sections = [
-        Section("", (Title(title), *_verdict(found)), key="head"),
-        *cautions_section(found.at_once.notes),
-    ]
-    if found.transient is not None and found.needed:
-        sections.append(_plan(found))
-    shown = found.transient or found.at_once
-    figure = Figure(
-        caption=said("Full speed at once, and by the plan"),
-        draw=lambda: warm_up_figure(found),
-        key="course",
+    case, shown = found.at_once.case, found.transient or found.at_once
+    plan = [_plan(found)] if found.transient is not None and found.needed else []
+    caption = said("Full speed at once, and by the plan")
+    return case_page(
+        case,
+        Section("", (Title(title_of(case)), *_verdict(found)), "head"),
+        [*plan, *_course(shown)[:1], picture(caption, lambda: warm_up_figure(found), "course")],
+        "warm_up",
+        "course",
+        cautions=found.at_once.notes,
+        remarks=remarks_of(shown.notes),
     )
-    course = _course(shown)
-    sections += [*course[:1], Section("", (figure,), key="figure")]
-    sections += notes_section(remarks_of(shown.notes))
-    return Document(title, tuple(sections), kind="warm_up", main="course")
 
 
 def warm_up_figure(found: WarmUp) -> Picture:
@@ -207,12 +183,11 @@ def warm_up_figure(found: WarmUp) -> Picture:
     found
         As of `warm_up_page`.
     """
-    from rolamento.plots.heat import heat_time_figure
-
     courses = [(said("full speed at once"), found.at_once)]
     if found.transient is not None and found.needed:
         courses.append((said("by the plan"), found.transient))
-    return heat_time_figure(courses)
+    figure: Picture = plots.heat_time_figure(courses)
+    return figure
 
 
 def _verdict(found: WarmUp) -> list[Block]:
@@ -240,41 +215,34 @@ def _plan(found: WarmUp) -> Section:
         lines.append((step, own))
     last = len(lines) - 1
     columns = [
-        Column(head=said("step"), values=list(range(1, len(lines) + 1)), key="step", figures=1),
+        Column(said("step"), list(range(1, len(lines) + 1)), "step", figures=1),
+        Column(said("speed"), [step.speed_factor * fastest for step, _ in lines], "speed", "rpm"),
         Column(
-            head=said("speed"),
-            values=[step.speed_factor * fastest for step, _ in lines],
-            unit="rpm",
-            key="speed",
-        ),
-        Column(
-            head=said("duration"),
-            values=[
+            said("duration"),
+            [
                 said("on") if index == last else Number(step.duration, ".3 [min]")
                 for index, (step, _) in enumerate(lines)
             ],
-            unit="min",
-            key="duration",
+            "duration",
+            "min",
             align="right",
         ),
         Column(
-            head=said("warmest part"),
-            values=[
-                Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines
-            ],
-            unit="°C",
-            key="warmest",
+            said("warmest part"),
+            [Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines],
+            "warmest",
+            "°C",
             align="right",
         ),
     ]
     if course.has_preload:
         columns.append(
             Column(
-                head=said("largest preload"),
-                values=[float(course.preload[own].max()) for _, own in lines],
-                unit="N",
-                key="largest_preload",
+                said("largest preload"),
+                [float(course.preload[own].max()) for _, own in lines],
+                "largest_preload",
+                "N",
             )
         )
-    table = Table(columns=tuple(columns), key="plan", rule=True)
-    return Section(said("Plan"), (table,), key="plan")
+    table = Table(tuple(columns), "plan", rule=True)
+    return Section(said("Plan"), (table,), "plan")

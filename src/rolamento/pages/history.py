@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Beside,
     Block,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Section,
     Statement,
@@ -19,13 +19,12 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.diagnosis import diagnosis_page
+from rolamento.pages.given import picture
 from rolamento.words import ABSENT, said, said_in
 from rolamento.words.naming import one_line, part_name
 from rolamento.words.sentences.history import series_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.diagnosis import UnknownResult
     from rolamento.tasks.history import History, Records
     from rolamento.tasks.machine_diagnosis import MachineDiagnosis
@@ -46,7 +45,7 @@ _MOST_ROWS: Final = 60
 
 def _headline(verdict: str, statement: tuple[Note, ...]) -> Section:
     tone = _TONES[verdict]
-    return Section("", tuple(Statement(note.text, tone) for note in statement), key="verdict")
+    return Section("", tuple(Statement(note.text, tone) for note in statement), "verdict")
 
 
 def history_page(found: History) -> Document:
@@ -66,26 +65,16 @@ def history_page(found: History) -> Document:
     }
     parts = found.parts
     table = Table(
-        columns=(
-            Column(head="", values=[part_name(p.component, element) for p in parts], key="part"),
-            Column(head=said("order"), values=[p.order for p in parts], form=".4f", key="order"),
+        (
+            Column("", [part_name(p.component, element) for p in parts], "part"),
+            Column(said("order"), [p.order for p in parts], "order", form=".4f"),
             Column(
-                head=said("depth then, at most"),
-                values=[p.usual for p in parts],
-                unit="%",
-                form=".0f [%]",
-                key="then",
+                said("depth then, at most"), [p.usual for p in parts], "then", "%", form=".0f [%]"
             ),
-            Column(
-                head=said("depth now"),
-                values=[p.now for p in parts],
-                unit="%",
-                form=".0f [%]",
-                key="now",
-            ),
-            Column(head=said("change"), values=[changes[p.change] for p in parts], key="change"),
+            Column(said("depth now"), [p.now for p in parts], "now", "%", form=".0f [%]"),
+            Column(said("change"), [changes[p.change] for p in parts], "change"),
         ),
-        key="then",
+        "then",
         legends=(
             said(
                 "Depth then: the greatest of {count} records at like speed, of all bands, near the"
@@ -96,18 +85,14 @@ def history_page(found: History) -> Document:
         ),
     )
 
-    def draw() -> Picture:
-        from rolamento.plots.history import then_figure
-
-        return then_figure([(part.component, part.now, part.then) for part in parts])
-
-    figure = Figure(caption=said("Modulation depth now and then"), draw=draw, key="then")
+    depths = [(part.component, part.now, part.then) for part in parts]
+    caption = said("Modulation depth now and then")
     page = diagnosis_page(found.now)
     rest = [section for section in page.sections if section.key != "verdict"]
     sections = (
         _headline(found.verdict, found.statement),
-        Section(said("Now and then"), (table,), key="history"),
-        Section("", (figure,), key="history_figure"),
+        Section(said("Now and then"), (table,), "history"),
+        picture(caption, lambda: plots.then_figure(depths), "then", "history_figure"),
         *rest,
     )
     return Document(page.title, sections, kind="diagnose", main="then")
@@ -128,35 +113,30 @@ def records_page(found: Records, title: str) -> Document:
     if last is not None and last.verdict in ("fault", "undecided"):
         verdict = last.verdict
     columns = [
-        Column(head=said("from record"), values=list(found.names), key="record"),
-        Column(head=said("records"), values=list(found.counts), key="count"),
+        Column(said("from record"), list(found.names), "record"),
+        Column(said("records"), list(found.counts), "count"),
     ]
     for name, values in found.series.items():
         is_depth = name not in ("rms", "kurtosis")
         columns.append(
             Column(
-                head=series_name(name),
-                values=values.tolist(),
-                unit="%" if is_depth else "",
+                series_name(name),
+                values.tolist(),
+                name,
+                "%" if is_depth else "",
                 form=".0f [%]" if is_depth else ".4",
-                key=name,
             )
         )
-    table = Table(columns=tuple(columns), key="records")
+    table = Table(tuple(columns), "records")
 
-    def draw() -> Picture:
-        from rolamento.plots.history import records_figure
-
-        changes = {name: [step.place for step in steps] for name, steps in found.steps.items()}
-        depths = {str(part): values for part, values in found.depths.items()}
-        return records_figure(depths, changes)
-
-    figure = Figure(caption=said("Modulation depth over the records"), draw=draw, key="records")
+    changes = {name: [step.place for step in steps] for name, steps in found.steps.items()}
+    depths = {str(part): values for part, values in found.depths.items()}
+    caption = said("Modulation depth over the records")
     blocks: list[Block] = [Title(one_line(title)), table]
     sections = [
         _headline(verdict, found.statement),
-        Section("", tuple(blocks), key="records"),
-        Section("", (figure,), key="figures"),
+        Section("", tuple(blocks), "records"),
+        picture(caption, lambda: plots.records_figure(depths, changes), "records", "figures"),
     ]
     return Document(title, tuple(sections), kind="diagnose", main="records")
 
@@ -173,7 +153,7 @@ def machine_page(found: MachineDiagnosis) -> Document:
     for bearing, one in zip(found.machine.bearings, found.found, strict=True):
         page = diagnosis_page(one)
         kept = [part for part in page.sections if part.key in ("given", "parts", "why")]
-        sections += [Section(bearing.name, (), key="bearing"), *kept]
+        sections += [Section(bearing.name, (), "bearing"), *kept]
     return Document(one_line(found.found[0].title), tuple(sections), kind="diagnose", main="parts")
 
 
@@ -198,62 +178,48 @@ def unknown_page(found: UnknownResult) -> Document:
         Entry(said("compared"), said("{count} bearings", count=found.found.compared)),
     )
     table = Table(
-        columns=(
-            Column(head=said("comb"), values=list(range(1, len(combs) + 1)), key="comb"),
+        (
+            Column(said("comb"), list(range(1, len(combs) + 1)), "comb"),
             Column(
-                head=said("frequency"),
-                values=[comb.frequency for comb in combs],
-                unit="Hz",
+                said("frequency"),
+                [comb.frequency for comb in combs],
+                "frequency",
+                "Hz",
                 form=".2f [Hz]",
-                key="frequency",
             ),
-            Column(head=said("order"), values=[c.order for c in combs], form=".4f", key="order"),
+            Column(said("order"), [c.order for c in combs], "order", form=".4f"),
             Column(
-                head=said_in("column", "depth"),
-                values=[comb.depth for comb in combs],
-                unit="%",
+                said_in("column", "depth"),
+                [comb.depth for comb in combs],
+                "depth",
+                "%",
                 form=".0f [%]",
-                key="depth",
             ),
-            Column(head=said("lines"), values=[comb.lines for comb in combs], key="lines"),
+            Column(said("lines"), [comb.lines for comb in combs], "lines"),
         ),
-        key="combs",
+        "combs",
     )
     ranked = Table(
-        columns=(
+        (
+            Column(said("bearing"), [fit.designation for fit in fits], "designation"),
+            Column(said("explains"), [fit.share for fit in fits], "share", "%", form=".0f [%]"),
+            Column(said("cage off by"), [fit.slip for fit in fits], "slip", "%", form=".2f [%]"),
             Column(
-                head=said("bearing"), values=[fit.designation for fit in fits], key="designation"
-            ),
-            Column(
-                head=said("explains"),
-                values=[fit.share for fit in fits],
-                unit="%",
-                form=".0f [%]",
-                key="share",
-            ),
-            Column(
-                head=said("cage off by"),
-                values=[fit.slip for fit in fits],
-                unit="%",
-                form=".2f [%]",
-                key="slip",
-            ),
-            Column(
-                head=said("combs"),
-                values=[
+                said("combs"),
+                [
                     ", ".join(f"{number + 1}: {part_name(part)}" for part, number, _ in fit.parts)
                     for fit in fits
                 ],
-                key="parts",
+                "parts",
             ),
         ),
-        key="bearings",
+        "bearings",
         legends=(said("Explains: of the squared depths of all combs, with one cage speed."),),
     )
     sections = (
         _headline(found.verdict, found.statement),
-        Section("", (Title(one_line(found.title)), KeyValues(entries)), key="given"),
-        Section(said("Combs"), (table,), key="combs"),
-        Section(said("Bearings that would have them"), (ranked,), key="bearings"),
+        Section("", (Title(one_line(found.title)), KeyValues(entries)), "given"),
+        Section(said("Combs"), (table,), "combs"),
+        Section(said("Bearings that would have them"), (ranked,), "bearings"),
     )
     return Document(one_line(found.title), sections, kind="diagnose", main="bearings")

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import floor, isfinite, isinf, isnan, log10, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Bar,
     Bars,
@@ -32,15 +33,13 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head
+from rolamento.pages.notes import cautions
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, Note, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.friction import Friction
     from rolamento.life import Change, Headline, Life, LifeSummary
     from rolamento.life.rib_load import RibLoad
@@ -48,6 +47,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 __all__ = [
+    "FACTORS",
     "MILLION",
     "changes_section",
     "life_notes",
@@ -70,7 +70,7 @@ MILLION: Final = 1e6
 LIFE: Final = ".3r [10⁶ rev]"
 HOURS: Final = ".3r [h]"
 FACTOR: Final = ".3"
-_FACTORS: Final = (
+FACTORS: Final = (
     ("a_1", "a_1"),
     ("a_ISO", "a_iso"),
     ("a_2", "a_2"),
@@ -116,11 +116,12 @@ def life_page(
     friction
         Of the same case, of which torque and power loss are shown.
     """
-    sections = [head(solved), *cautions_section(solved.notes[0])]
+    notes = solved.notes[0]
+    sections: list[Section] = []
     if summary is not None:
         lines = statement(solved, summary, changes)
         sections += [
-            Section(said("Life"), lines, key="life"),
+            Section(said("Life"), lines, "life"),
             theories_section(summary),
             validity_section(summary),
             ratings_section(summary),
@@ -132,11 +133,8 @@ def life_page(
 
             sections.append(torque_and_power(solved, friction))
         pictures = (*_charts(summary), *figures)
-        sections += [Section("", pictures, key="figures")] * bool(pictures)
-    sections += notes_section(remarks_of(solved.notes[0]))
-    return Document(
-        solved.title or untitled(solved.case), tuple(sections), kind="life", main="theories"
-    )
+        sections += [Section("", pictures, "figures")] * bool(pictures)
+    return case_page(solved.case, head(solved), sections, "life", "theories", notes=notes)
 
 
 def _charts(summary: LifeSummary) -> Iterator[Figure]:
@@ -144,13 +142,9 @@ def _charts(summary: LifeSummary) -> Iterator[Figure]:
     if summary.contamination_factor is None:
         return
 
-    def draw() -> Picture:
-        from rolamento.charts.frame import figure_of
-        from rolamento.plots.life import aiso_chart
-
-        return figure_of(aiso_chart(summary))
-
-    yield Figure(caption=said("a_ISO for the film and the cleanliness"), draw=draw, key="aiso")
+    yield Figure(
+        said("a_ISO for the film and the cleanliness"), lambda: plots.aiso_chart(summary), "aiso"
+    )
 
 
 # --- numbers -----------------------------------------------------------------------------------
@@ -400,8 +394,7 @@ def _reasons(summary: LifeSummary, rating: float) -> Iterator[str]:
         yield said("load distribution among the balls (factor {factor:.3})", factor=shared)
     elif not _alike(shared):
         yield said(
-            "load distribution among the rollers and along them (factor {factor:.3})",
-            factor=shared,
+            "load distribution among the rollers and along them (factor {factor:.3})", factor=shared
         )
 
 
@@ -533,34 +526,27 @@ def theories_section(summary: LifeSummary) -> Section:
     ]
     columns = [
         Column(
-            head="",
-            values=[_CHOSEN if life is chosen else "" for life in lives],
-            key="leads",
-            tone="good-strong",
+            "", [_CHOSEN if life is chosen else "" for life in lives], "leads", tone="good-strong"
         ),
-        Column(
-            head="", values=[theory_name(life.theory) for life in lives], key="theory", tones=tones
-        ),
+        Column("", [theory_name(life.theory) for life in lives], "theory", tones=tones),
         *life_columns(
-            [float(life.life[0]) for life in lives],
-            [float(life.hours[0]) for life in lives],
-            tones,
+            [float(life.life[0]) for life in lives], [float(life.hours[0]) for life in lives], tones
         ),
         *_factor_columns(lives, tones),
     ]
     judged = [(bool(life.valid[0]), bool(life.below[0])) for life in lives]
     columns.append(
         Column(
-            head=said("valid"),
-            values=[verdict(*one) for one in judged],
-            key="valid",
+            said("valid"),
+            [verdict(*one) for one in judged],
+            "valid",
             tones=["good" if valid else "warning" for valid, _ in judged],
         )
     )
-    table = Table(columns=tuple(columns), key="theories", fixed=2, units="behind", indent=0)
+    table = Table(tuple(columns), "theories", fixed=2, units="behind", indent=0)
     legend = Statement(_legend(lives, chosen is not None), "faint", indent=2)
     blocks = (table, *_conditions(summary), legend)
-    return Section(said("Life by theory"), blocks, key="theories")
+    return Section(said("Life by theory"), blocks, "theories")
 
 
 def life_columns(
@@ -568,38 +554,19 @@ def life_columns(
 ) -> tuple[Column, Column]:
     """Return the columns of lives in millions of revolutions and in hours."""
     return (
-        Column(
-            head="",
-            values=[life * MILLION for life in lives],
-            unit="10⁶ rev",
-            form=LIFE,
-            key="life",
-            tones=tones,
-        ),
-        Column(
-            head="",
-            values=[life * HOUR for life in hours],
-            unit="h",
-            form=HOURS,
-            key="hours",
-            tones=tones,
-        ),
+        Column("", [life * MILLION for life in lives], "life", "10⁶ rev", form=LIFE, tones=tones),
+        Column("", [life * HOUR for life in hours], "hours", "h", form=HOURS, tones=tones),
     )
 
 
 def _factor_columns(lives: Sequence[Life], tones: Sequence[Tone]) -> Iterator[Column]:
-    for symbol, name in _FACTORS:
+    for symbol, name in FACTORS:
         if any(name in life.factors for life in lives):
             values: list[CellContent] = [
                 float(life.factors[name][0]) if name in life.factors else None for life in lives
             ]
             yield Column(
-                head=symbol,
-                values=values,
-                form=FACTOR,
-                key=name,
-                tones=tones,
-                only_in_files=name in _CONDITIONS,
+                symbol, values, name, form=FACTOR, tones=tones, only_in_files=name in _CONDITIONS
             )
 
 
@@ -638,8 +605,8 @@ def validity_section(summary: LifeSummary) -> Section:
         for life in lives
     )
     found = [(life.theory, note, "") for life in lives for note in life.notes_of()]
-    blocks = (KeyValues(entries, indent=2, label_tone=""), *remarks(found, len(lives)))
-    return Section(said("Scope of each theory"), blocks, key="validity")
+    blocks = (KeyValues(entries, 2, label_tone=""), *remarks(found, len(lives)))
+    return Section(said("Scope of each theory"), blocks, "validity")
 
 
 # --- what it rests on --------------------------------------------------------------------------
@@ -683,20 +650,20 @@ def ratings_section(summary: LifeSummary) -> Section:
         rows.append(_permissible(summary.rib_load))
     unit = _unit_of_force(value for _, value, _ in rows)
     columns = (
-        Column(head="", values=[symbol for symbol, _, _ in rows], key="symbol"),
+        Column("", [symbol for symbol, _, _ in rows], "symbol"),
         Column(
-            head="",
-            values=[_force(value, unit) for _, value, _ in rows],
-            unit=unit,
-            key="value",
+            "",
+            [_force(value, unit) for _, value, _ in rows],
+            "value",
+            unit,
             tone="strong",
             align="right",
         ),
-        Column(head="", values=[unit for _ in rows], key="unit"),
-        Column(head="", values=[text for _, _, text in rows], key="source", tone="faint"),
+        Column("", [unit for _ in rows], "unit"),
+        Column("", [text for _, _, text in rows], "source", tone="faint"),
     )
-    table = Table(columns=columns, key="ratings", headless=True)
-    return Section(said("Ratings and loads"), (table,), key="ratings")
+    table = Table(columns, "ratings", headless=True)
+    return Section(said("Ratings and loads"), (table,), "ratings")
 
 
 def _ratings_of_rows(ratings: Ratings) -> Iterator[tuple[str, float, str]]:
@@ -795,7 +762,7 @@ def limit_section(solved: Solved, summary: LifeSummary) -> Section:
             )
         texts.append(_cost(summary))
     blocks = tuple(Statement(text, indent=2) for text in texts if text)
-    return Section(said("What limits it"), blocks, key="limit")
+    return Section(said("What limits it"), blocks, "limit")
 
 
 def _share(race: str, row: int, share: float, solved: Solved) -> str:
@@ -839,13 +806,8 @@ def changes_section(summary: LifeSummary, changes: Sequence[Change]) -> list[Sec
         tone="good",
     )
 
-    def draw() -> Picture:
-        from rolamento.plots.life import helps_figure
-
-        return helps_figure(changes)
-
-    figure = Figure(caption=said("What would help"), draw=draw, key="helps")
-    return [Section(said("What would help"), (bars, figure), key="changes")]
+    figure = Figure(said("What would help"), lambda: plots.helps_figure(changes), "helps")
+    return [Section(said("What would help"), (bars, figure), "changes")]
 
 
 # --- beside the state of a bearing -------------------------------------------------------------
@@ -874,7 +836,7 @@ def life_section(solved: Solved, summary: LifeSummary) -> Section:
         blocks.append(Statement("; ".join(numbers), indent=2))
     hint = said("all theories, and what would help: rolamento life")
     blocks.append(Statement(hint, "faint", indent=2))
-    return Section(said("Life"), tuple(blocks), key="life")
+    return Section(said("Life"), tuple(blocks), "life")
 
 
 def _in_hours(life: Life) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Break,
@@ -23,18 +24,15 @@ from rolamento.document import (
 )
 from rolamento.life.record import note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.across import cautions_over, field_column, place_text, read_text
-from rolamento.pages.given import untitled
+from rolamento.pages.across import cautions_over, failures, field_column, place_text, read_text
+from rolamento.pages.given import title_of
 from rolamento.pages.life import MILLION, remarks
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said
-from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.life import Headline, Life
     from rolamento.tasks.life_over import LifeCurve
 
@@ -53,21 +51,18 @@ def life_over_page(curves: Sequence[LifeCurve]) -> Document:
     curves
         The case's own first, then its variants.
     """
-    title = curves[0].case.title or untitled(curves[0].case)
-
-    def draw() -> Picture:
-        from rolamento.plots.life import life_figure
-
-        return life_figure(curves)
+    title = title_of(curves[0].case)
 
     field = curves[0].over.field.label
-    figure = Figure(caption=said("Life over {field}", field=field), draw=draw, key="life")
+    figure = Figure(
+        said("Life over {field}", field=field), lambda: plots.life_figure(curves), "life"
+    )
     return Document(
         title,
         (
             Section("", (Title(title),)),
             *(_curve(curve, place) for place, curve in enumerate(curves)),
-            Section("", (figure, _points(curves)), key="points"),
+            Section("", (figure, _points(curves)), "points"),
         ),
         kind="life_over",
         main="points",
@@ -81,9 +76,9 @@ def _curve(curve: LifeCurve, place: int) -> Section:
         blocks.append(Statement(said("with {setting}", setting=setting), indent=2))
     blocks += [_table(curve, place), *_extremes(curve)]
     blocks += cautions_over(curve.over.field, curve.values, curve.cautions)
-    blocks += [*_remarks(curve), *_failures(curve)]
+    blocks += [*_remarks(curve), *failures(curve.status)]
     heading = said("Life over {field}", field=curve.over.field.label)
-    return Section(heading, tuple(blocks), key=f"life{place or ''}")
+    return Section(heading, tuple(blocks), f"life{place or ''}")
 
 
 def _table(curve: LifeCurve, place: int) -> Table:
@@ -100,8 +95,8 @@ def _table(curve: LifeCurve, place: int) -> Table:
         (n for n, column in enumerate(columns) if not _standard(column.key) and n > 1), None
     )
     return Table(
-        columns=tuple(columns),
-        key=f"life{place or ''}",
+        tuple(columns),
+        f"life{place or ''}",
         legends=_legends(curve),
         breaks=() if first is None else (Break(first, ""),),
     )
@@ -125,10 +120,10 @@ def _column(curve: LifeCurve, life: Life | Headline, heads: tuple[str, str], key
         for value, valid, below in zip(curve.shown(life), life.valid, life.below, strict=True)
     ]
     return Column(
-        head="\n".join(f"{head} " for head in heads),
-        values=values,
-        unit="h" if curve.in_hours else "10⁶ rev",
-        key=key,
+        "\n".join(f"{head} " for head in heads),
+        values,
+        key,
+        "h" if curve.in_hours else "10⁶ rev",
         align="right",
         tones=["" if valid else "warning" for valid in life.valid],
     )
@@ -190,19 +185,6 @@ def _remarks(curve: LifeCurve) -> Sequence[Block]:
     return remarks(found, len(curve.theories))
 
 
-def _failures(curve: LifeCurve) -> list[Block]:
-    failed = curve.status[curve.status != "converged"]
-    if not failed.size:
-        return []
-    text = said(
-        "{failed} of {count} points without a result: {reasons}",
-        failed=int(failed.size),
-        count=len(curve),
-        reasons=", ".join(map(reason, np.unique(failed).tolist())),
-    )
-    return [Statement(text, "bad-strong", indent=2)]
-
-
 # --- files -------------------------------------------------------------------------------------
 
 
@@ -212,41 +194,31 @@ def _points(curves: Sequence[LifeCurve]) -> Table:
     theories = list(dict.fromkeys(name for curve in curves for name in curve.theories))
     columns = [
         Column(
-            head=said("variant"),
-            values=[curve.label for curve in curves for _ in range(len(curve))],
-            key="variant",
+            said("variant"), [curve.label for curve in curves for _ in range(len(curve))], "variant"
         ),
         Column(
-            head=field.label,
-            values=[float(value) for curve in curves for value in curve.values],
-            unit=field_column(field, curves[0].values).unit,
-            key=field.name,
+            field.label,
+            [float(value) for curve in curves for value in curve.values],
+            field.name,
+            field_column(field, curves[0].values).unit,
         ),
-        Column(
-            head=said("status"),
-            values=[str(code) for curve in curves for code in curve.status],
-            key="status",
-        ),
+        Column(said("status"), [str(code) for curve in curves for code in curve.status], "status"),
     ]
     for name in theories:
         columns += _of_points(curves, [curve.theories.get(name) for curve in curves], name)
     columns += _of_points(curves, [curve.headline for curve in curves], "headline")
     columns.append(
         Column(
-            head=said("leading theory"),
-            values=[str(name) for curve in curves for name in curve.headline.theory],
-            key="headline_theory",
+            said("leading theory"),
+            [str(name) for curve in curves for name in curve.headline.theory],
+            "headline_theory",
         )
     )
     for key, symbol in (("viscosity_ratio", "κ"), ("contamination_factor", "e_C")):
         columns.append(
-            Column(
-                head=symbol,
-                values=[float(value) for curve in curves for value in getattr(curve, key)],
-                key=key,
-            )
+            Column(symbol, [float(value) for curve in curves for value in getattr(curve, key)], key)
         )
-    return Table(columns=tuple(columns), key="points", only_in_files=True)
+    return Table(tuple(columns), "points", only_in_files=True)
 
 
 def _of_points(
@@ -262,13 +234,11 @@ def _of_points(
     name = theory_name(key) if key in THEORIES else said("leading life")
     yes, no = said("yes"), said("no")
     columns = [
-        Column(head=name, values=[HOUR * float(h) for h in gathered("hours", np.nan)], unit="h",
-               key=key),
-        Column(head=name, values=[MILLION * float(n) for n in gathered("life", np.nan)],
-               unit="10⁶ rev", key=key),
-    ]  # fmt: skip
+        Column(name, [HOUR * float(h) for h in gathered("hours", np.nan)], key, "h"),
+        Column(name, [MILLION * float(n) for n in gathered("life", np.nan)], key, "10⁶ rev"),
+    ]
     marks = (("valid", "valid", said("valid")), ("below", "upper_bound", said("bound")))
     for attribute, end, head in marks:
         values = [yes if one else no for one in gathered(attribute, False)]
-        columns.append(Column(head=head, values=values, key=f"{key}_{end}"))
+        columns.append(Column(head, values, f"{key}_{end}"))
     return columns

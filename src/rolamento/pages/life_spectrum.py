@@ -25,7 +25,7 @@ from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theory import VISCOSITY_RATIO
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.pages.life import (
     formulas_only,
     life_columns,
@@ -63,11 +63,11 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
     found
         Of `rolamento.tasks.life_spectrum.life_of_duty_spectrum`.
     """
-    title = found.case.title or untitled(found.case)
+    title = title_of(found.case)
     heading = said("Life under {count} steps of duty", count=len(found.steps))
     sections = [
         Section("", (Title(title),)),
-        Section(heading, _statement(found), key="life"),
+        Section(heading, _statement(found), "life"),
         *([_theories(found)] if found.converged else []),
         _steps(found),
     ]
@@ -167,12 +167,12 @@ def _theories(found: SpectrumLife) -> Section:
     lives = list(found.theories.values())
     judged = [(own.valid, own.below) for own in lives]
     columns = (
-        Column(head="", values=[theory_name(name) for name in found.theories], key="theory"),
+        Column("", [theory_name(name) for name in found.theories], "theory"),
         *life_columns([own.life for own in lives], [own.hours for own in lives]),
         Column(
-            head=said("valid"),
-            values=[verdict(*one) for one in judged],
-            key="valid",
+            said("valid"),
+            [verdict(*one) for one in judged],
+            "valid",
             tones=["good" if valid else "warning" for valid, _ in judged],
         ),
     )
@@ -181,9 +181,9 @@ def _theories(found: SpectrumLife) -> Section:
         legends.append(
             said("Ioannides and Harris is left out: it is evaluated for at most 1000 steps.")
         )
-    table = Table(columns=columns, key="theories", legends=tuple(legends), units="behind")
+    table = Table(columns, "theories", legends=tuple(legends), units="behind")
     heading = said("Life by theory, damage summed by Miner's rule")
-    return Section(heading, (table, *_remarks(found)), key="theories")
+    return Section(heading, (table, *_remarks(found)), "theories")
 
 
 def _remarks(found: SpectrumLife) -> tuple[Block, ...]:
@@ -227,39 +227,31 @@ def _steps(found: SpectrumLife) -> Section:
             theory=theory,
         )
     )
-    bars = Column(head="", values=np.nan_to_num(damage).tolist(), bar=True)
-    table = Table(
-        columns=(*_columns(found, shown, shortened=True), bars),
-        key="steps",
-        legends=tuple(legends),
-    )
+    bars = Column("", np.nan_to_num(damage).tolist(), bar=True)
+    table = Table((*_columns(found, shown, shortened=True), bars), "steps", legends=tuple(legends))
     every = np.arange(len(found.steps), dtype=np.int64)
     rest = [
-        Column(head=said("status"), values=[str(one) for one in found.status], key="status"),
+        Column(said("status"), [str(one) for one in found.status], "status"),
         *(
             Column(
-                head=theory_name(name),
-                values=(scale * getattr(own, attribute)).tolist(),
-                unit=unit,
-                key=name if unit == "h" else f"{name}_damage",
+                theory_name(name),
+                (scale * getattr(own, attribute)).tolist(),
+                name if unit == "h" else f"{name}_damage",
+                unit,
             )
             for attribute, unit, scale in (("hours", "h", HOUR), ("damage", "%", 1.0))
             for name, life in found.theories.items()
             for own in (life.steps if unit == "h" else life,)
         ),
     ]
-    full = Table(
-        columns=(*_columns(found, every, shortened=False), *rest),
-        key="all_steps",
-        only_in_files=True,
-    )
-    return Section(said("Steps"), (table, *_failures(found), full), key="steps")
+    full = Table((*_columns(found, every, shortened=False), *rest), "all_steps", only_in_files=True)
+    return Section(said("Steps"), (table, *_failures(found), full), "steps")
 
 
 def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) -> list[Column]:
     leading = found.headline
     columns = [
-        Column(head=said("step"), values=[int(step) + 1 for step in steps], key="step"),
+        Column(said("step"), [int(step) + 1 for step in steps], "step"),
         _share_column(said("time"), found.time_shares[steps], "time_share"),
         _share_column(said("rev"), found.revolution_shares[steps], "revolution_share"),
     ]
@@ -271,22 +263,22 @@ def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) 
         head = "\n".join(wrap(label, _HEAD)) if shortened else label
         room -= max(map(len, (*head.split("\n"), *values))) + 2
         if room >= 0 or not shortened:
-            columns.append(Column(head=head, values=values, key=name, align="right"))
+            columns.append(Column(head, values, name, align="right"))
     return [
         *columns,
         Column(
-            head=said("life"),
-            values=(HOUR * leading.steps.hours[steps]).tolist(),
-            unit="h",
+            said("life"),
+            (HOUR * leading.steps.hours[steps]).tolist(),
+            "headline",
+            "h",
             form=".3r [h]",
-            key="headline",
         ),
         _share_column(said("damage"), leading.damage[steps], "headline_damage"),
     ]
 
 
 def _share_column(head: str, shares: NDArray[np.float64], key: str) -> Column:
-    return Column(head=head, values=shares.tolist(), unit="%", key=key, figures=3, most=2)
+    return Column(head, shares.tolist(), key, "%", figures=3, most=2)
 
 
 def _shown(found: SpectrumLife) -> NDArray[np.int64]:

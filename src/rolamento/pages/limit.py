@@ -131,23 +131,19 @@ def limit_section(
     span = _span(time_unit, max((growth.last_time for _, growth, *_ in rows), default=0.0))
     laws = {"linear": said("linear"), "exponential": said("exponential")}
     columns = [
-        *([Column(head="", values=[name for name, *_ in rows], key="name", once=True)] * named),
+        *([Column("", [name for name, *_ in rows], "name", once=True)] * named),
         Column(
-            head=said("law"),
-            values=[laws[growth.law] + (" ←" if chosen else "") for _, growth, _, chosen in rows],
-            key="law",
+            said("law"),
+            [laws[growth.law] + (" ←" if chosen else "") for _, growth, _, chosen in rows],
+            "law",
         ),
         Column(
-            head=said("growth per {time} {unit}", time=span, unit=time_unit),
-            values=[_growth(growth, unit, span) for _, growth, *_ in rows],
-            key="growth",
+            said("growth per {time} {unit}", time=span, unit=time_unit),
+            [_growth(growth, unit, span) for _, growth, *_ in rows],
+            "growth",
             align="right",
         ),
-        Column(
-            head="p",
-            values=[Number(growth.p_value, ".2") for _, growth, *_ in rows],
-            key="p_value",
-        ),
+        Column("p", [Number(growth.p_value, ".2") for _, growth, *_ in rows], "p_value"),
         Column(
             head=said("reached on") if start else said("reached at {unit}", unit=time_unit),
             values=[
@@ -161,15 +157,15 @@ def limit_section(
             align="right",
         ),
         Column(
-            head=said("from"),
-            values=[_time(crossing.lower, start) for _, _, crossing, _ in rows],
-            key="lower",
+            said("from"),
+            [_time(crossing.lower, start) for _, _, crossing, _ in rows],
+            "lower",
             align="right",
         ),
         Column(
-            head=said("to"),
-            values=[_time(crossing.upper, start) for _, _, crossing, _ in rows],
-            key="upper",
+            said("to"),
+            [_time(crossing.upper, start) for _, _, crossing, _ in rows],
+            "upper",
             align="right",
         ),
     ]
@@ -179,10 +175,10 @@ def limit_section(
         " (Fieller's theorem); individual measurements scatter around it. The laws describe what"
         " was measured; damage may grow faster."
     )
-    table = Table(columns=tuple(columns), key="limit", legends=(legend,))
+    table = Table(tuple(columns), "limit", legends=(legend,))
     said_of = [limit_statement(one, name, unit, time_unit, start) for name, one in found]
     statements = [one for one in said_of if one not in leading]
-    return Section(said("Time to the limit"), (*statements, table), key="limit")
+    return Section(said("Time to the limit"), (*statements, table), "limit")
 
 
 def _span(time_unit: str, longest: float) -> int:

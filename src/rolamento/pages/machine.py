@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.analysis import analyse
 from rolamento.document import (
     Beside,
@@ -32,6 +33,7 @@ from rolamento.document import (
 )
 from rolamento.numerics import FloatArray
 from rolamento.pages.frequencies import line_name
+from rolamento.pages.given import picture
 from rolamento.pages.life import none_valid
 from rolamento.pages.notes import notes_section
 from rolamento.pages.shaft import together_sentences
@@ -43,20 +45,12 @@ from rolamento.words.headlines import parted
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.analysis.machine import MachineAnalysis
     from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
     from rolamento.tasks.machines import MachineCurve
     from rolamento.vibration.machine import MachineFrequency
 
-__all__ = [
-    "PICTURES",
-    "machine_over_page",
-    "machine_page",
-    "machine_picture",
-    "machine_report",
-]
+__all__ = ["PICTURES", "machine_over_page", "machine_page", "machine_picture", "machine_report"]
 
 _MOST_STEPS: Final = 12
 """Steps that a page shows; files have all of them."""
@@ -73,8 +67,8 @@ def machine_page(found: MachineAnalysis) -> Document:
     solved = found.solved
     title = solved.title or said("Machine without a title")
     sections = [
-        Section("", (Title(title), _given(solved)), key="given"),
-        Section(said("Life of all bearings together"), _life(found), key="life"),
+        Section("", (Title(title), _given(solved)), "given"),
+        Section(said("Life of all bearings together"), _life(found), "life"),
         *_picture(solved),
         _bearings(found),
         _shafts(solved),
@@ -188,13 +182,8 @@ def _picture(solved: SolvedMachine) -> list[Section]:
     name = solved.steps[step]
     caption = said("Shafts to scale, deflection, bending moment, shear force and stress")
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import machine_figure
-
-        return machine_figure(solved, step=step)
-
-    figure = Figure(caption=f"{caption}: {name}" if name else caption, draw=draw, key="machine")
-    return [Section("", (figure,), key="picture")]
+    caption = f"{caption}: {name}" if name else caption
+    return [picture(caption, lambda: plots.machine_figure(solved, step=step), "machine", "picture")]
 
 
 PICTURES: Final = {
@@ -217,18 +206,12 @@ def machine_picture(solved: SolvedMachine, key: str, step: int) -> Figure:
     step
         Of its spectrum, from 0.
     """
-
-    def draw() -> Picture:
-        from rolamento.charts.frame import figure_of
-        from rolamento.plots import machine
-
-        if key == "deflection":
-            return figure_of(machine.draw_deflection(solved, step=step))
-        if key == "forces":
-            return machine.draw_section_forces(solved, step=step)
-        return machine.draw_bearings_in_place(solved, step=step)
-
-    return Figure(caption="", draw=draw, alternative=said(PICTURES[key]), key=key)
+    draw = {
+        "deflection": lambda: plots.draw_deflection(solved, step=step),
+        "forces": lambda: plots.draw_section_forces(solved, step=step),
+        "bearings": lambda: plots.draw_bearings_in_place(solved, step=step),
+    }[key]
+    return Figure("", draw, key, alternative=said(PICTURES[key]))
 
 
 # --- life -----------------------------------------------------------------------------------------
@@ -324,7 +307,7 @@ def _by_step(
         columns = columns_of(lines)
         if count > 1:
             names = [solved.steps[case] for _, case in lines]
-            columns += (Column(head="step", values=names, key="step", only_in_files=True),)
+            columns += (Column("step", names, "step", only_in_files=True),)
         heads = tuple(
             (
                 case * len(parts),
@@ -336,8 +319,9 @@ def _by_step(
             )
             for case in range(shown if count > 1 else 0)
         )
-        return Table(columns=columns, key=key, legends=tuple(legends), groups=heads,
-                     only_in_files=only_in_files)  # fmt: skip
+        return Table(
+            columns, key, legends=tuple(legends), groups=heads, only_in_files=only_in_files
+        )
 
     if count <= _MOST_STEPS:
         return (table(count, key, False),)
@@ -363,7 +347,7 @@ def _bearings(found: MachineAnalysis) -> Section:
     if len(solved) > 1:
         legends.append(said("life of each step alone"))
     tables = _by_step(solved, list(solved.bearings), "bearings", ["; ".join(legends)], columns_of)
-    return Section(said("Bearings"), tables, key="bearings")
+    return Section(said("Bearings"), tables, "bearings")
 
 
 def _of_bearings(
@@ -372,29 +356,62 @@ def _of_bearings(
     """What is known of bearings, each in a step."""
     hours = [_hours(found, one, case) for one, case in lines]
     columns = (
-        Column(head=said("bearing"), values=[one.name for one, _ in lines], key="bearing"),
-        Column(head="F_r", unit="N", key="radial_force",
-               values=finite_cells(float(one.radial_force[c]) for one, c in lines)),
-        Column(head="F_a", unit="N", key="axial_force",
-               values=finite_cells(float(one.force[c, 0]) for one, c in lines)),
-        Column(head="M", unit="N·m", key="moment", most=3,
-               values=finite_cells(float(np.hypot(*one.force[c, 3:])) for one, c in lines)),
-        Column(head=said("tilt"), unit="mrad", key="tilt", figures=3, most=3,
-               values=finite_cells(float(one.tilt[c]) for one, c in lines),
-               tones=[_tilt_tone(one, c) for one, c in lines]),
-        Column(head=said("permissible"), unit="mrad", key="permissible_tilt", figures=3,
-               values=finite_cells(permissible_tilt(one) for one, _ in lines)),
-        Column(head="p_max", unit="MPa", key="max_pressure", most=0,
-               values=finite_cells(_pressure(one, c) for one, c in lines)),
-        Column(head="S_0", key="static_safety", figures=3,
-               values=finite_cells(_safety(found, one, c) for one, c in lines)),
-        Column(head="κ", key="viscosity_ratio", figures=3,
-               values=finite_cells(_kappa(found, one, c) for one, c in lines)),
-        Column(head=said("life"), unit="h", key="life", form=".3r [h]", align="right",
-               values=hours),
-        Column(head=said("loss"), unit="W", key="power", figures=3,
-               values=finite_cells(_power(found, one, c) for one, c in lines)),
-    )  # fmt: skip
+        Column(said("bearing"), [one.name for one, _ in lines], "bearing"),
+        Column(
+            "F_r", finite_cells(float(one.radial_force[c]) for one, c in lines), "radial_force", "N"
+        ),
+        Column("F_a", finite_cells(float(one.force[c, 0]) for one, c in lines), "axial_force", "N"),
+        Column(
+            "M",
+            finite_cells(float(np.hypot(*one.force[c, 3:])) for one, c in lines),
+            "moment",
+            "N·m",
+            most=3,
+        ),
+        Column(
+            said("tilt"),
+            finite_cells(float(one.tilt[c]) for one, c in lines),
+            "tilt",
+            "mrad",
+            figures=3,
+            most=3,
+            tones=[_tilt_tone(one, c) for one, c in lines],
+        ),
+        Column(
+            said("permissible"),
+            finite_cells(permissible_tilt(one) for one, _ in lines),
+            "permissible_tilt",
+            "mrad",
+            figures=3,
+        ),
+        Column(
+            "p_max",
+            finite_cells(_pressure(one, c) for one, c in lines),
+            "max_pressure",
+            "MPa",
+            most=0,
+        ),
+        Column(
+            "S_0",
+            finite_cells(_safety(found, one, c) for one, c in lines),
+            "static_safety",
+            figures=3,
+        ),
+        Column(
+            "κ",
+            finite_cells(_kappa(found, one, c) for one, c in lines),
+            "viscosity_ratio",
+            figures=3,
+        ),
+        Column(said("life"), hours, "life", "h", form=".3r [h]", align="right"),
+        Column(
+            said("loss"),
+            finite_cells(_power(found, one, c) for one, c in lines),
+            "power",
+            "W",
+            figures=3,
+        ),
+    )
     return tuple(
         column
         for column in columns
@@ -458,7 +475,7 @@ def _shafts(solved: SolvedMachine) -> Section:
         return _of_shafts([(solved.shafts[name], case) for name, case in named])
 
     tables = _by_step(solved, list(solved.shafts), "shafts", legends, columns_of)
-    return Section(said("Shafts"), (*tables, *_curves(solved)), key="shafts")
+    return Section(said("Shafts"), (*tables, *_curves(solved)), "shafts")
 
 
 def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
@@ -475,11 +492,11 @@ def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
     moments = [peak(one.bending_moment[c].max(axis=1), one) for one, c in lines]
 
     def column(head: str, key: str, unit: str, values: list[float], most: int = 2) -> Column:
-        return Column(head=head, values=finite_cells(values), unit=unit, key=key, most=most)
+        return Column(head, finite_cells(values), key, unit, most=most)
 
     at = said("at")
     return (
-        Column(head=said("shaft"), values=[one.name for one, _ in lines], key="shaft"),
+        Column(said("shaft"), [one.name for one, _ in lines], "shaft"),
         column(said("deflection"), "deflection", "µm", [v for v, _ in deflections]),
         column(at, "deflection_at", "mm", [x for _, x in deflections], 1),
         column(said("slope"), "slope", "mrad", [float(o.slope[c].max()) for o, c in lines], 3),
@@ -503,11 +520,11 @@ def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
     ]
 
     def column(key: str, unit: str, values: Iterable[float]) -> Column:
-        return Column(head=key, values=finite_cells(values), unit=unit, key=key)
+        return Column(key, finite_cells(values), key, unit)
 
     columns = (
-        Column(head="step", values=[solved.steps[c] or "1" for c, _, _ in lines], key="step"),
-        Column(head="shaft", values=[one.name for _, one, _ in lines], key="shaft"),
+        Column("step", [solved.steps[c] or "1" for c, _, _ in lines], "step"),
+        Column("shaft", [one.name for _, one, _ in lines], "shaft"),
         column("position", "mm", (float(one.position[n]) for _, one, n in lines)),
         *(
             column(name, unit, (float(one.displacement[c, n, i]) for c, one, n in lines))
@@ -524,7 +541,7 @@ def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
         ),
         column("stress", "MPa", (float(one.stress[c, n].max()) for c, one, n in lines)),
     )
-    return (Table(columns=columns, key="nodes", only_in_files=True),)
+    return (Table(columns, "nodes", only_in_files=True),)
 
 
 def _gears(solved: SolvedMachine) -> list[Section]:
@@ -535,7 +552,7 @@ def _gears(solved: SolvedMachine) -> list[Section]:
     gears = dict(zip(names, machine.gears, strict=True))
 
     def column(head: str, key: str, unit: str, values: list[float]) -> Column:
-        return Column(head=head, values=finite_cells(values), unit=unit, key=key, figures=3, most=3)
+        return Column(head, finite_cells(values), key, unit, figures=3, most=3)
 
     def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
         places = [
@@ -544,8 +561,8 @@ def _gears(solved: SolvedMachine) -> list[Section]:
         ]
         shafts = [gears[name].shaft for name, _ in named]
         return (
-            Column(head=said("gear"), values=[name for name, _ in named], key="gear"),
-            Column(head=said("shaft"), values=shafts, key="shaft"),
+            Column(said("gear"), [name for name, _ in named], "gear"),
+            Column(said("shaft"), shafts, "shaft"),
             *(
                 column(axis, axis, unit, [float(u[i]) for u in places])
                 for i, (axis, unit) in enumerate(_AXES)
@@ -554,7 +571,7 @@ def _gears(solved: SolvedMachine) -> list[Section]:
 
     legends = (said("displacement and slope of the shaft at each gear"),)
     tables = _by_step(solved, names, "gears", legends, columns_of)
-    return [Section(said("Gears"), tables, key="gears")]
+    return [Section(said("Gears"), tables, "gears")]
 
 
 _AXES: Final = (("x", "µm"), ("y", "µm"), ("z", "µm"), ("ry", "mrad"), ("rz", "mrad"))
@@ -572,20 +589,24 @@ def _housed(solved: SolvedMachine) -> list[Section]:
 
     def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
         return (
-            Column(head=said("bearing"), values=[name for name, _ in named], key="bearing"),
+            Column(said("bearing"), [name for name, _ in named], "bearing"),
             *(
                 Column(
-                    head=axis, unit=unit, key=axis, figures=3, most=3,
-                    values=[float(solved.bearings[name].outer[case, i]) for name, case in named],
+                    axis,
+                    [float(solved.bearings[name].outer[case, i]) for name, case in named],
+                    axis,
+                    unit,
+                    figures=3,
+                    most=3,
                 )
                 for i, (axis, unit) in enumerate(_AXES)
             ),
-        )  # fmt: skip
+        )
 
     legends = (said("displacement of outer rings in yielding or sliding seats"),)
     names = [one.name for one in moved]
     tables = _by_step(solved, names, "outer_rings", legends, columns_of)
-    return [Section(said("Outer rings"), tables, key="outer_rings")]
+    return [Section(said("Outer rings"), tables, "outer_rings")]
 
 
 _LINES: Final = {"rotation": marked("rotation"), "mesh": marked("tooth mesh")}
@@ -605,19 +626,17 @@ def _frequencies(found: MachineAnalysis) -> list[Section]:
     if not lines:
         return []
     columns = (
-        Column(head=said("part"), values=[one.part for one in lines], key="part"),
-        Column(head=said("frequency"), values=[_named(one)[0] for one in lines], key="line"),
-        Column(head="", values=[_named(one)[1] for one in lines], key="abbreviation"),
-        Column(head="Hz", values=[one.frequency for one in lines], key="hertz", form=".2f",
-               align="right"),
-        Column(head=said("order"), values=[one.order for one in lines], key="order", form=".4f",
-               align="right"),
-    )  # fmt: skip
+        Column(said("part"), [one.part for one in lines], "part"),
+        Column(said("frequency"), [_named(one)[0] for one in lines], "line"),
+        Column("", [_named(one)[1] for one in lines], "abbreviation"),
+        Column("Hz", [one.frequency for one in lines], "hertz", form=".2f", align="right"),
+        Column(said("order"), [one.order for one in lines], "order", form=".4f", align="right"),
+    )
     legends = (said("under load; orders of the rotation of the first shaft that turns"),)
     name = found.solved.steps[step]
     heading = said("Frequencies")
-    table = Table(columns=columns, key="frequencies", legends=legends)
-    return [Section(f"{heading}: {name}" if name else heading, (table,), key="frequencies")]
+    table = Table(columns, "frequencies", legends=legends)
+    return [Section(f"{heading}: {name}" if name else heading, (table,), "frequencies")]
 
 
 # --- over a field ---------------------------------------------------------------------------------
@@ -635,14 +654,12 @@ def machine_over_page(found: MachineCurve) -> Document:
 
     def column(head: str, key: str, unit: str, values: FloatArray, most: int = 2) -> Column:
         form = ".3r [h]" if unit == "h" else ""
-        return Column(head=head, values=finite_cells(values.tolist()), unit=unit, key=key,
-                      most=most, form=form)  # fmt: skip
+        return Column(head, finite_cells(values.tolist()), key, unit, most=most, form=form)
 
     columns = [
-        Column(head=f"{found.key}\n{found.unit}", values=found.values.tolist(), key="value", most=4,
-               figures=5),
+        Column(f"{found.key}\n{found.unit}", found.values.tolist(), "value", most=4, figures=5),
         column(said("life"), "hours", "h", HOUR * found.hours),
-    ]  # fmt: skip
+    ]
     for name in machine.bearings:
         columns += [
             column(f"{name}\nF_r", f"{name}_radial_force", "N",
@@ -662,20 +679,15 @@ def machine_over_page(found: MachineCurve) -> Document:
     heads = [*machine.bearings, said("Shafts")]
     breaks = tuple(Break(2 + each * index, name) for index, name in enumerate(heads))
     legends = (said("the greatest of all steps; life of all bearings together, and of each"),)
-    table = Table(columns=tuple(columns), key="over", legends=legends, fixed=2, breaks=breaks)
+    table = Table(tuple(columns), "over", legends=legends, fixed=2, breaks=breaks)
     title = machine.title or said("Machine without a title")
     heading = said("{title} over {field}", title=title, field=found.key)
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import machine_over_figure
-
-        return machine_over_figure(found)
-
-    figure = Figure(caption=heading, draw=draw, key="over")
+    figure = Figure(heading, lambda: plots.machine_over_figure(found), "over")
     refused = {text: Note("text", {"text": text}) for text in found.refused if text}
     sections = [
-        Section("", (Title(heading),), key="given"),
-        Section("", (figure, table), key="over"),
+        Section("", (Title(heading),), "given"),
+        Section("", (figure, table), "over"),
         *notes_section(refused.values()),
     ]
     return Document(heading, tuple(sections), kind="machine_over", main="over")

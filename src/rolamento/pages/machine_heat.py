@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -20,14 +20,13 @@ from rolamento.document import (
     Title,
 )
 from rolamento.heat import NODES
+from rolamento.pages.given import picture
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import PLACE_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.heat.machine import MachineHeat
     from rolamento.solved.machine import SolvedMachine
 
@@ -43,24 +42,14 @@ def machine_heat_page(found: MachineHeat) -> Document:
         What `rolamento.heat.machine.machine_heat` gives.
     """
     title = found.machine.title or said("machine")
-    head = Section("", (Title(title), _headline(found)), key="head")
+    head = Section("", (Title(title), _headline(found)), "head")
     sections = [head, *cautions_section(found.notes)]
     if found.warm is not None:
-        figure = Figure(
-            caption=said("Temperatures of the bearings"),
-            draw=lambda: _picture(found),
-            key="heat",
-        )
+        caption = said("Temperatures of the bearings")
         sections += [_temperatures(found), _loads(found, found.warm), *_links(found)]
-        sections.append(Section("", (figure,), key="figure"))
+        sections.append(picture(caption, lambda: plots.machine_heat_figure(found), "heat"))
     sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="machine_heat", main="bearings")
-
-
-def _picture(found: MachineHeat) -> Picture:
-    from rolamento.plots.heat import machine_heat_figure
-
-    return machine_heat_figure(found)
 
 
 def _headline(found: MachineHeat) -> Statement | KeyValues:
@@ -89,19 +78,15 @@ def _headline(found: MachineHeat) -> Statement | KeyValues:
 
 
 def _temperatures(found: MachineHeat) -> Section:
-    columns = [Column(head="", values=list(found.bearings), key="bearing")]
+    columns = [Column("", list(found.bearings), "bearing")]
     for index, node in enumerate(NODES):
         cells: list[CellContent] = [
             Number(value, ".1f [°C]") for value in found.temperatures[:, index].tolist()
         ]
-        columns.append(
-            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
-        )
-    columns.append(
-        Column(head=said("power loss"), values=found.power.tolist(), unit="W", key="power")
-    )
-    table = Table(columns=tuple(columns), key="bearings", rule=True)
-    return Section(said("Temperatures"), (table,), key="bearings")
+        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(Column(said("power loss"), found.power.tolist(), "power", "W"))
+    table = Table(tuple(columns), "bearings", rule=True)
+    return Section(said("Temperatures"), (table,), "bearings")
 
 
 def _loads(found: MachineHeat, warm: SolvedMachine) -> Section:
@@ -126,35 +111,29 @@ def _loads(found: MachineHeat, warm: SolvedMachine) -> Section:
         (said("radial load, warm"), "radial_warm", "N"),
         (said("p, warm"), "pressure_warm", "MPa"),
     )
-    columns = [Column(head="", values=[name for name, _ in lines], key="bearing")]
+    columns = [Column("", [name for name, _ in lines], "bearing")]
     for place in (0, 3, 1, 4, 2, 5):
         head, key, unit = heads[place]
-        columns.append(
-            Column(head=head, values=[own[place] for _, own in lines], unit=unit, key=key)
-        )
+        columns.append(Column(head, [own[place] for _, own in lines], key, unit))
     legend = said("p maximum pressure")
-    table = Table(columns=tuple(columns), key="loads", legends=(legend,), rule=True)
-    return Section(said("Cold and warm"), (table,), key="loads")
+    table = Table(tuple(columns), "loads", legends=(legend,), rule=True)
+    return Section(said("Cold and warm"), (table,), "loads")
 
 
 def _links(found: MachineHeat) -> list[Section]:
     if not found.links:
         return []
     columns = (
+        Column("", [f"{one.first} – {one.second}" for one in found.links], "bearings"),
+        Column("", [said(PLACE_NAMES[one.part]) for one in found.links], "part"),
+        Column(said("heat flow"), list(found.link_flows()), "flow", "W"),
         Column(
-            head="",
-            values=[f"{one.first} – {one.second}" for one in found.links],
-            key="bearings",
-        ),
-        Column(head="", values=[said(PLACE_NAMES[one.part]) for one in found.links], key="part"),
-        Column(head=said("heat flow"), values=list(found.link_flows()), unit="W", key="flow"),
-        Column(
-            head=said("conductance"),
-            values=[one.conductance for one in found.links],
-            unit="W/K",
-            key="conductance",
+            said("conductance"),
+            [one.conductance for one in found.links],
+            "conductance",
+            "W/K",
             figures=3,
         ),
     )
-    table = Table(columns=columns, key="links", rule=True)
-    return [Section(said("Heat between the bearings"), (table,), key="links")]
+    table = Table(columns, "links", rule=True)
+    return [Section(said("Heat between the bearings"), (table,), "links")]

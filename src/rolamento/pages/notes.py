@@ -27,7 +27,7 @@ def cautions(notes: Iterable[Note]) -> tuple[Notes, ...]:
 def cautions_section(notes: Iterable[Note], level: int = 2) -> list[Section]:
     """Return the notes that qualify what the head of a page says; nothing without."""
     blocks = cautions(notes)
-    return [Section(said("Caution"), blocks, key="cautions", level=level)] * bool(blocks)
+    return [Section(said("Caution"), blocks, "cautions", level)] * bool(blocks)
 
 
 def remarks_of(notes: Iterable[Note]) -> tuple[Note, ...]:
@@ -39,7 +39,7 @@ def notes_section(notes: Iterable[Note], level: int = 2) -> list[Section]:
     """Return what else the reader should know, each said once; nothing without notes."""
     remarks = {note.text: Remark(note.text, note.key) for note in notes}
     block = Notes(tuple(remarks.values()))
-    return [Section(said("Notes"), (block,), key="notes", level=level)] * bool(remarks)
+    return [Section(said("Notes"), (block,), "notes", level)] * bool(remarks)
 
 
 def about(
@@ -64,5 +64,5 @@ def about(
             leading.append(Remark(text, note.key, "warning"))
         else:
             rest.append(Remark(text, note.key))
-    section = Section(said("Notes"), (Notes(tuple(rest)),), key="notes")
+    section = Section(said("Notes"), (Notes(tuple(rest)),), "notes")
     return (Notes(tuple(leading)),) * bool(leading), [section] * bool(rest)

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from math import isfinite, isinf
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -20,21 +20,18 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head, picture, race_name, title_of
+from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
-from rolamento.words import marked, said
+from rolamento.words import said
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.life.oscillation import OscillationLife
     from rolamento.tasks.oscillation import OscillationCase, OscillationSpectrum
 
 __all__ = ["oscillation_page", "oscillation_spectrum_page", "oscillation_statement"]
 
 _MILLION: Final = 1e6
-_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
 _LIFE: Final = ".3r"
 _UNIT: Final = "10⁶ osc."
 
@@ -48,28 +45,24 @@ def oscillation_page(found: OscillationCase) -> Document:
         What `rolamento.tasks.life_in_oscillation` gives.
     """
     solved, life = found.solved, found.life
-    title = solved.title or untitled(solved.case)
-    sections = [head(solved), *cautions_section(solved.notes[0])]
-    notes = list(solved.notes[0])
+    sections: list[Section] = []
+    remarks = remarks_of(solved.notes[0])
     if life is not None:
         blocks = (*oscillation_statement(life), *cautions(life.notes))
-        sections.append(Section(said("Life in oscillations"), blocks, key="life"))
-        sections += [_races(life), _forms(life)]
-        figure = Figure(
-            caption=said("Life over the angle of oscillation"),
-            draw=lambda: _picture(found),
-            key="oscillation",
-        )
-        sections.append(Section("", (figure,), key="figure"))
-        notes = [*remarks_of(life.notes), *remarks_of(notes)]
-    sections += notes_section(remarks_of(notes))
-    return Document(title, tuple(sections), kind="oscillation", main="races")
-
-
-def _picture(found: OscillationCase) -> Picture:
-    from rolamento.plots.oscillation import oscillation_figure
-
-    return oscillation_figure(found)
+        sections.append(Section(said("Life in oscillations"), blocks, "life"))
+        caption = said("Life over the angle of oscillation")
+        shown = picture(caption, lambda: plots.oscillation_figure(found), "oscillation")
+        sections += [_races(life), _forms(life), shown]
+        remarks = (*remarks_of(life.notes), *remarks)
+    return case_page(
+        solved.case,
+        head(solved),
+        sections,
+        "oscillation",
+        "races",
+        cautions=solved.notes[0],
+        remarks=remarks,
+    )
 
 
 def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
@@ -102,10 +95,8 @@ def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
         )
     yield Statement(text, "strong", indent=2)
     limiting = life.limiting
-    yield Statement(
-        said("The inner race limits it.") if limiting == "inner" else
-        said("The outer race limits it."), indent=2,
-    )  # fmt: skip
+    yield Statement(said("The inner race limits it.") if limiting == "inner" else
+        said("The outer race limits it."), indent=2)  # fmt: skip
 
 
 def _races(life: OscillationLife) -> Section:
@@ -116,37 +107,30 @@ def _races(life: OscillationLife) -> Section:
     for row in range(rows):
         for race in ("inner", "outer"):
             own = float(getattr(life, f"critical_{race}")[row])
-            races.append(said(_RACES[race]))
+            races.append(race_name(race))
             places.append(row)
             critical.append(own)
             window.append(float(life.window[row]) if race == life.moving else 1.0)
             lives.append(_MILLION * float(getattr(life, race)[row]))
             tones.append("warning" if life.angle < own else "")
-    columns = [Column(head="", values=races, key="race", tones=tones)]
+    columns = [Column("", races, "race", tones=tones)]
     if rows > 1:
-        columns.append(Column(head=said("row"), values=places, key="row"))
+        columns.append(Column(said("row"), places, "row"))
     columns += [
         Column(
-            head=said("critical angle"),
-            values=[Number(value, ".4 [°]") for value in critical],
-            unit="°",
-            key="critical",
+            said("critical angle"),
+            [Number(value, ".4 [°]") for value in critical],
+            "critical",
+            "°",
             align="right",
             tones=tones,
         ),
+        Column(said("lost averaging"), window, "window", "–", form=".4", tones=tones),
         Column(
-            head=said("lost averaging"),
-            values=window,
-            unit="–",
-            form=".4",
-            key="window",
-            tones=tones,
-        ),
-        Column(
-            head=said("life"),
-            values=[Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
-            unit=_UNIT,
-            key="life",
+            said("life"),
+            [Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
+            "life",
+            _UNIT,
             align="right",
             tones=tones,
         ),
@@ -155,8 +139,8 @@ def _races(life: OscillationLife) -> Section:
         "critical angle between the end points, at which neighbouring arcs meet; lost averaging by"
         " which the life of the race that moves against the load falls"
     )
-    table = Table(columns=tuple(columns), key="races", legends=(legend,), rule=True, fixed=1)
-    return Section(said("Races"), (table,), key="races")
+    table = Table(tuple(columns), "races", legends=(legend,), rule=True, fixed=1)
+    return Section(said("Races"), (table,), "races")
 
 
 def _forms(life: OscillationLife) -> Section:
@@ -178,9 +162,8 @@ def _forms(life: OscillationLife) -> Section:
         )
     )
     return Section(
-        said("Other forms, million oscillations"), (KeyValues(tuple(entries), indent=2),),
-        key="forms",
-    )  # fmt: skip
+        said("Other forms, million oscillations"), (KeyValues(tuple(entries), 2),), "forms"
+    )
 
 
 # --- of a histogram -------------------------------------------------------------------------------
@@ -194,7 +177,7 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
     found
         What `rolamento.tasks.life_under_oscillations` gives.
     """
-    title = found.case.title or untitled(found.case)
+    title = title_of(found.case)
     values = {
         "reliability": found.reliability,
         "life": _MILLION * found.life,
@@ -220,25 +203,30 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
     columns = (
         _percent(said("share"), "share", found.steps.shares.tolist(), tones),
         Column(
-            head=said("angle"), values=[Number(one.angle, ".4 [°]") for one in found.lives],
-            unit="°", key="angle", align="right", tones=tones,
+            said("angle"),
+            [Number(one.angle, ".4 [°]") for one in found.lives],
+            "angle",
+            "°",
+            align="right",
+            tones=tones,
         ),
         Column(
-            head=said("life of the step alone"),
-            values=[Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
-            unit=_UNIT, key="life", align="right", tones=tones,
+            said("life of the step alone"),
+            [Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
+            "life",
+            _UNIT,
+            align="right",
+            tones=tones,
         ),
         _percent(said("share of the damage"), "damage", found.damage.tolist(), tones),
-    )  # fmt: skip
-    table = Table(columns=columns, key="steps", rule=True)
-    sections = [
-        Section("", (Title(title), statement, *cautions(found.notes)), key="head"),
-        Section(said("Steps"), (table,), key="steps"),
-        *notes_section(remarks_of(found.notes)),
-    ]
-    return Document(title, tuple(sections), kind="oscillation", main="steps")
+    )
+    table = Table(columns, "steps", rule=True)
+    first = Section("", (Title(title), statement, *cautions(found.notes)), "head")
+    steps = Section(said("Steps"), (table,), "steps")
+    remarks = remarks_of(found.notes)
+    return case_page(found.case, first, [steps], "oscillation", "steps", remarks=remarks)
 
 
 def _percent(head: str, key: str, shares: Sequence[float], tones: Sequence[Tone]) -> Column:
     values = [Number(share, ".3 [%]") for share in shares]
-    return Column(head=head, values=values, unit="%", key=key, align="right", tones=tones)
+    return Column(head, values, key, "%", align="right", tones=tones)

@@ -27,27 +27,15 @@ def stage_table(stages: Sequence[PreloadStage]) -> Table:
     scatters = any(not _alike(stage.preload) for stage in stages)
     columns = [
         Column(
-            head=said("without external load"),
-            values=[said(STAGE_NAMES[stage.name]) for stage in stages],
-            key="stage",
+            said("without external load"),
+            [said(STAGE_NAMES[stage.name]) for stage in stages],
+            "stage",
         ),
-        Column(
-            head=said("preload"),
-            values=[stage.preload[1] for stage in stages],
-            unit="N",
-            key="preload",
-            figures=4,
-        ),
+        Column(said("preload"), [stage.preload[1] for stage in stages], "preload", "N", figures=4),
     ]
     if scatters:
         columns += [
-            Column(
-                head=head,
-                values=[stage.preload[place] for stage in stages],
-                unit="N",
-                key=key,
-                figures=4,
-            )
+            Column(head, [stage.preload[place] for stage in stages], key, "N", figures=4)
             for head, key, place in (
                 (said("loosest"), "loosest", 0),
                 (said("tightest"), "tightest", 2),
@@ -58,41 +46,31 @@ def stage_table(stages: Sequence[PreloadStage]) -> Table:
         suffix = "" if alike else f" {row}"
         columns += [
             Column(
-                head=f"α{suffix}",
-                values=[stage.contact_angle[row] for stage in stages],
-                unit="°",
-                key="contact_angle" if alike else f"contact_angle_{row}",
+                f"α{suffix}",
+                [stage.contact_angle[row] for stage in stages],
+                "contact_angle" if alike else f"contact_angle_{row}",
+                "°",
                 figures=4,
             ),
             Column(
-                head=f"e{suffix}",
-                values=[stage.offset[row] for stage in stages],
-                unit="µm",
-                key="offset" if alike else f"offset_{row}",
+                f"e{suffix}",
+                [stage.offset[row] for stage in stages],
+                "offset" if alike else f"offset_{row}",
+                "µm",
                 figures=4,
             ),
         ]
     columns += [
         Column(
-            head="k_x",
-            values=[stage.axial_stiffness for stage in stages],
-            unit="N/µm",
-            key="axial_stiffness",
-            figures=4,
+            "k_x", [stage.axial_stiffness for stage in stages], "axial_stiffness", "N/µm", figures=4
         ),
-        Column(
-            head="p",
-            values=[stage.max_pressure for stage in stages],
-            unit="MPa",
-            key="max_pressure",
-            figures=4,
-        ),
+        Column("p", [stage.max_pressure for stage in stages], "max_pressure", "MPa", figures=4),
     ]
     legend = said(
         "α free contact angle, e how far a row is pressed in from first contact, k_x axial"
         " stiffness, p maximum pressure"
     )
-    return Table(columns=tuple(columns), key="preload", legends=(legend,), rule=True, fixed=1)
+    return Table(tuple(columns), "preload", legends=(legend,), rule=True, fixed=1)
 
 
 def _alike(values: Sequence[float]) -> bool:

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -22,14 +22,13 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.io.dates import moment_after, moment_said
+from rolamento.pages.given import picture
 from rolamento.pages.lives import FIGURES, percent
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.words import ABSENT, ENDLESS, counted, manner, said
 from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.replace import FleetStudy, RemainingStudy, ReplacementStudy
     from rolamento.weibull.distribution import Interval, LifeDistribution
 
@@ -90,26 +89,21 @@ def remaining_page(study: RemainingStudy) -> Document:
         ),
     ]
     columns = (
-        Column(head="", values=[name for name, _ in rows], key="quantity"),
+        Column("", [name for name, _ in rows], "quantity"),
         *_interval_columns([interval for _, interval in rows], unit, confidence),
     )
     heading = said("Time left after {age:.6} {unit}", age=found.age, unit=unit)
     notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (*statements, *cautions(notes)), key="verdict"),
+        Section("", (*statements, *cautions(notes)), "verdict"),
         _head(title, study.distribution, study.title),
-        Section(heading, (Table(columns=columns, key="residual_lives"),), key="residual"),
+        Section(heading, (Table(columns, "residual_lives"),), "residual"),
     ]
-
-    def draw() -> Picture:
-        from rolamento.plots.replace import remaining_life_figure
-
-        return remaining_life_figure(found)
 
     caption = said("Probability of running on, over the time from now")
     sections += [
         *notes_section(remarks_of(notes)),
-        Section("", (Figure(caption=caption, draw=draw, key="remaining"),), key="figures"),
+        picture(caption, lambda: plots.remaining_life_figure(found), "remaining", "figures"),
     ]
     return Document(title, tuple(sections), kind="remaining-life", main="residual_lives")
 
@@ -180,22 +174,19 @@ def replacement_page(study: ReplacementStudy) -> Document:
         ]
     notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (*blocks, *cautions(notes)), key="verdict"),
+        Section("", (*blocks, *cautions(notes)), "verdict"),
         _head(title, study.distribution, study.title),
-        Section(said("Costs"), (KeyValues(tuple(entries), indent=2),), key="costs"),
+        Section(said("Costs"), (KeyValues(tuple(entries), 2),), "costs"),
     ]
     if found.if_shape:
         sections.append(_if_shape(study))
 
-    def draw() -> Picture:
-        from rolamento.plots.replace import cost_of_ages_figure
-
-        return cost_of_ages_figure(found, study.currency)
-
     caption = said("Cost of replacing at an age")
     sections += [
         *notes_section(remarks_of(notes)),
-        Section("", (Figure(caption=caption, draw=draw, key="cost"),), key="figures"),
+        picture(
+            caption, lambda: plots.cost_of_ages_figure(found, study.currency), "cost", "figures"
+        ),
     ]
     return Document(title, tuple(sections), kind="age-replacement", main="if_shape")
 
@@ -227,23 +218,32 @@ def _if_shape(study: ReplacementStudy) -> Section:
     assert found is not None
     unit = one_line(found.distribution.unit)
     columns = (
-        Column(head=said("shape"), key="shape",
-               values=[Number(one.shape, ".3") for one in found.if_shape]),
-        Column(head=said("least cost at {unit}", unit=unit), key="age", align="right",
-               values=[_time(one.best) for one in found.if_shape]),
-        Column(head=said("saving"), key="saving", form=".1f [%]", unit="%",
-               values=[one.saving for one in found.if_shape]),
-        Column(head=said("above least"), key="regret", form=".1f [%]", unit="%",
-               values=[one.regret for one in found.if_shape]),
-    )  # fmt: skip
+        Column(said("shape"), [Number(one.shape, ".3") for one in found.if_shape], "shape"),
+        Column(
+            said("least cost at {unit}", unit=unit),
+            [_time(one.best) for one in found.if_shape],
+            "age",
+            align="right",
+        ),
+        Column(
+            said("saving"), [one.saving for one in found.if_shape], "saving", "%", form=".1f [%]"
+        ),
+        Column(
+            said("above least"),
+            [one.regret for one in found.if_shape],
+            "regret",
+            "%",
+            form=".1f [%]",
+        ),
+    )
     legend = said(
         "What replacing at {age} {unit} saves, and costs above the least, if the shape is another"
         " with the same L10.",
         age=_time(found.age.value),
         unit=unit,
     )
-    table = Table(columns=columns, key="if_shape", legends=(legend,))
-    return Section(said("If the shape is different"), (table,), key="if_shape")
+    table = Table(columns, "if_shape", legends=(legend,))
+    return Section(said("If the shape is different"), (table,), "if_shape")
 
 
 # --- a fleet ---------------------------------------------------------------------------------
@@ -316,22 +316,17 @@ def fleet_page(study: FleetStudy) -> Document:
     entries.append(Entry(said("expected by now"), text_now))
     notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (Statement(text, "strong"), *cautions(notes)), key="verdict"),
+        Section("", (Statement(text, "strong"), *cautions(notes)), "verdict"),
         _head(title, study.distribution, study.title),
-        Section("", (KeyValues(tuple(entries)),), key="facts"),
+        Section("", (KeyValues(tuple(entries)),), "facts"),
         _steps(study),
         _bearings(study),
     ]
 
-    def draw() -> Picture:
-        from rolamento.plots.replace import fleet_failures_figure
-
-        return fleet_failures_figure(found)
-
     caption = said("Failures of the fleet over the time from now")
     sections += [
         *notes_section(remarks_of(notes)),
-        Section("", (Figure(caption=caption, draw=draw, key="failures"),), key="figures"),
+        picture(caption, lambda: plots.fleet_failures_figure(found), "failures", "figures"),
     ]
     return Document(title, tuple(sections), kind="fleet", main="steps")
 
@@ -353,21 +348,17 @@ def _steps(study: FleetStudy) -> Section:
         head = said("within {unit}", unit=unit)
         at = [Number(step.part * float(ahead.max()), ".4r") for step in found.steps]
     columns = (
-        Column(head=head, values=at, key="until", align="right"),
-        Column(head=said("expected"), key="expected",
-               values=[Number(step.expected, ".3") for step in found.steps]),
-        Column(head=said("from"), key="lower", align="right",
-               values=[int(step.lower) for step in found.steps]),
-        Column(head=said("to"), key="upper", align="right",
-               values=[int(step.upper) for step in found.steps]),
-    )  # fmt: skip
+        Column(head, at, "until", align="right"),
+        Column(said("expected"), [Number(step.expected, ".3") for step in found.steps], "expected"),
+        Column(said("from"), [int(step.lower) for step in found.steps], "lower", align="right"),
+        Column(said("to"), [int(step.upper) for step in found.steps], "upper", align="right"),
+    )
     legend = said(
         "Cumulated failures; from–to: {confidence} % prediction interval, with chance and with the"
         " uncertainty of the distribution.",
         confidence=percent(found.confidence),
     )
-    return Section(said("Failures"), (Table(columns=columns, key="steps", legends=(legend,)),),
-                   key="steps")  # fmt: skip
+    return Section(said("Failures"), (Table(columns, "steps", legends=(legend,)),), "steps")
 
 
 def _bearings(study: FleetStudy) -> Section:
@@ -380,25 +371,28 @@ def _bearings(study: FleetStudy) -> Section:
         *(
             [
                 Column(
-                    head=said("bearing"),
-                    values=[shortened(one_line(study.names[row])) for row in rows],
-                    key="name",
+                    said("bearing"), [shortened(one_line(study.names[row])) for row in rows], "name"
                 )
             ]
             * named
         ),
-        Column(head=said("has run {unit}", unit=unit), key="age",
-               values=[Number(float(fleet.ages[row]), ".6") for row in rows]),
-        Column(head=said("will run {unit}", unit=unit), key="ahead",
-               values=[Number(float(fleet.ahead[row]), ".6") for row in rows]),
-        Column(head=said("bearings"), key="count", values=[int(fleet.counts[row]) for row in rows]),
-        Column(head=said("fails"), key="probability",
-               values=[p for _, p in found.riskiest], form=".3 [%]", unit="%"),
-    ]  # fmt: skip
+        Column(
+            said("has run {unit}", unit=unit),
+            [Number(float(fleet.ages[row]), ".6") for row in rows],
+            "age",
+        ),
+        Column(
+            said("will run {unit}", unit=unit),
+            [Number(float(fleet.ahead[row]), ".6") for row in rows],
+            "ahead",
+        ),
+        Column(said("bearings"), [int(fleet.counts[row]) for row in rows], "count"),
+        Column(said("fails"), [p for _, p in found.riskiest], "probability", "%", form=".3 [%]"),
+    ]
     heading = said("Most likely to fail")
     legend = said("Fails: probability that a bearing of the row fails at least once.")
-    table = Table(columns=tuple(columns), key="riskiest", legends=(legend,))
-    return Section(heading, (table,), key="riskiest")
+    table = Table(tuple(columns), "riskiest", legends=(legend,))
+    return Section(heading, (table,), "riskiest")
 
 
 # --- what the pages share --------------------------------------------------------------------
@@ -408,7 +402,7 @@ def _nothing(title: str, law: LifeDistribution) -> Document:
     advice = law.advice
     assert advice is not None
     statement = Statement(advice.text, indent=2, mark="✗", mark_tone="bad")
-    return Document(title, (Section("", (Title(title), statement), key="verdict"),), "replace")
+    return Document(title, (Section("", (Title(title), statement), "verdict"),), "replace")
 
 
 def _head(title: str, law: LifeDistribution, data: str) -> Section:
@@ -434,7 +428,7 @@ def _head(title: str, law: LifeDistribution, data: str) -> Section:
     entries = [Entry(said("Weibull distribution"), how)]
     if data:
         entries.insert(0, Entry(said("data"), one_line(data)))
-    return Section("", (Title(title), KeyValues(tuple(entries))), key="head")
+    return Section("", (Title(title), KeyValues(tuple(entries))), "head")
 
 
 def _interval_columns(intervals: list[Interval], unit: str, confidence: str) -> Iterable[Column]:
@@ -447,7 +441,7 @@ def _interval_columns(intervals: list[Interval], unit: str, confidence: str) -> 
     for name, head in heads.items():
         if name == "value" or known:
             values = [_time(getattr(interval, name)) for interval in intervals]
-            yield Column(head=head, values=values, key=name, align="right")
+            yield Column(head, values, name, align="right")
 
 
 def _interval_percent(interval: Interval, confidence: str) -> str:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import inf, nan
+from functools import partial
+from math import inf, isfinite, nan
 from typing import TYPE_CHECKING, Final, cast
 
 from rolamento.case import Case
@@ -36,24 +37,45 @@ from rolamento.friction.models import torque_model_name
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.notes import nothing_given
-from rolamento.pages.clearance import STEPS
+from rolamento.pages.clearance import STEPS, chain_lines
 from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.given import no_load_text, untitled
-from rolamento.pages.life import rating_source
+from rolamento.pages.friction import power_unit, torque_unit
+from rolamento.pages.given import no_load_text, title_of
+from rolamento.pages.life import FACTORS, rating_source, verdict
 from rolamento.pages.preload import STAGE_NAMES
+from rolamento.pages.quantities import (
+    FILM,
+    FREQUENCIES,
+    FRICTION,
+    LIFE,
+    PRELOAD,
+    ROLLING,
+    SEALS_AND_BATH,
+    SOLVED,
+    Group,
+    Quantity,
+    beside,
+    extreme,
+    number_of,
+    tables_of,
+)
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.pages.static import static_sections
 from rolamento.records import frozen
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
-from rolamento.words import Note, in_unit, manner, marked, said, worded
+from rolamento.words import Note, manner, marked, said, worded
 from rolamento.words.headlines import qualifies
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
+    from rolamento.friction import Friction
     from rolamento.geometry import Race
+    from rolamento.life import Life
+    from rolamento.numerics import FloatArray
+    from rolamento.solved import Preloading, Solved
     from rolamento.tasks.report import CaseReport, Input, Report
     from rolamento.tasks.time_line import ServiceLife
 
@@ -73,8 +95,8 @@ __all__ = [
     "warnings_section",
 ]
 
-_ABREAST: Final = 2
-"""Cases that stand beside the first in one table: more need more paper than there is."""
+_Quantity = Quantity["CaseReport"]
+_Group = Group["CaseReport"]
 _LONGEST_LIFE: Final = 100_000.0
 """h beyond which fatigue does not end a life."""
 
@@ -101,11 +123,11 @@ def report_page(report: Report) -> Document:
     ]
     sections: list[Section | Beside] = [_head(report)]
     for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
-        sections.append(Section(f"{number}  {heading}", tuple(blocks), key, level=1))
+        sections.append(Section(f"{number}  {heading}", tuple(blocks), key, 1))
         sections += inner
     many = len(report.cases) > 1
     return Document(
-        _title(report) if many else report.cases[0].title or untitled(report.cases[0].case),
+        _title(report) if many else report.cases[0].title or title_of(report.cases[0].case),
         tuple(sections),
         kind="report",
         main="summary",
@@ -126,7 +148,7 @@ def comparison_page(report: Report, title: str = "") -> Document:
     """
     differing, *_ = _inputs(report)
     sections: list[Section | Beside] = [
-        Section("", (Title(title or said("Comparison")),), key="title"),
+        Section("", (Title(title or said("Comparison")),), "title"),
         summary_section(report),
         replace(differing, level=2),
         *(part_of(report, key) for key in _COMPARED),
@@ -175,7 +197,7 @@ def _head(report: Report) -> Section:
         Entry(said("program"), said("Rolamento {version}", version=report.version)),
     ]
     blocks = (Title(_title(report)), KeyValues(tuple(entries)), _drawing(report.cases[0]))
-    return Section("", blocks, key="title_block")
+    return Section("", blocks, "title_block")
 
 
 def _drawing(case: CaseReport) -> Figure:
@@ -184,9 +206,8 @@ def _drawing(case: CaseReport) -> Figure:
 
     drawing = section_drawing(case.case, case.analysis.solved)
     return Figure(
-        caption=drawing.remark, draw=lambda: draw_section(drawing), alternative=drawing.said,
-        key="section",
-    )  # fmt: skip
+        drawing.remark, lambda: draw_section(drawing), "section", alternative=drawing.said
+    )
 
 
 def _title(report: Report) -> str:
@@ -198,9 +219,9 @@ def _title(report: Report) -> str:
 
 def _case_titles(report: Report) -> list[Entry]:
     if len(report.cases) == 1:
-        return [Entry(said("case"), report.cases[0].title or untitled(report.cases[0].case))]
+        return [Entry(said("case"), report.cases[0].title or title_of(report.cases[0].case))]
     return [
-        Entry(said("case {name}", name=case.name), case.title or untitled(case.case))
+        Entry(said("case {name}", name=case.name), case.title or title_of(case.case))
         for case in report.cases
     ]
 
@@ -341,128 +362,6 @@ def _notes(report: Report, warnings: Sequence[tuple[_Warning, str]]) -> Notes:
     return Notes(tuple(remarks))
 
 
-# --- tables of numbers ----------------------------------------------------------------------------
-
-
-@frozen
-class _Row:
-    """A number of the cases, by its path; or texts, one a case.
-
-    form: of the number, with its unit; its difference has as many figures. unit: where the number
-    is not in SI, and written as it is.
-    """
-
-    label: str
-    path: str = ""
-    form: str = ".4"
-    unit: str = ""
-    texts: tuple[str, ...] = ()
-    tone: Tone = ""
-
-    @property
-    def shown_unit(self) -> str:
-        return self.unit or self.form.partition(" ")[2]
-
-
-_Group = tuple[str, Sequence[_Row]]
-
-
-def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "",
-            legends: tuple[str, ...] = (),
-            abreast: int = _ABREAST) -> tuple[Table, ...]:  # fmt: skip
-    """Return rows as tables: a column a case, and the differences of the later ones to the first.
-
-    Rows that no case has are left out.
-    """
-    kept = [(name, [row for row in rows if _has(report, row)]) for name, rows in groups]
-    rows = [row for _, own in kept for row in own]
-    if not rows:
-        return ()
-    places, first = [], 0
-    for name, own in kept:
-        if own and name:
-            places.append((first, name))
-        first += len(own)
-    later = list(range(1, len(report.cases)))
-    parts = [later[at : at + abreast] for at in range(0, len(later), abreast)] or [[]]
-    return tuple(
-        Table(
-            columns=tuple(_columns(report, rows, part)),
-            key=key if number == 0 else f"{key}_{number + 1}",
-            caption=caption,
-            groups=tuple(places),
-            legends=legends if number == len(parts) - 1 else (),
-            rule=True,
-            fixed=2,
-        )
-        for number, part in enumerate(parts)
-    )
-
-
-def _has(report: Report, row: _Row) -> bool:
-    if row.texts:
-        return any(row.texts)
-    return any(case.number(row.path) is not None for case in report.cases)
-
-
-def _columns(report: Report, rows: Sequence[_Row], later: Sequence[int]) -> Iterator[Column]:
-    units = [row.shown_unit for row in rows]
-    many = len(report.cases) > 1
-    tones = [row.tone for row in rows]
-    yield Column(head=said("quantity"), values=[row.label for row in rows], key="quantity")
-    yield Column(head=said("unit"), values=units, key="unit", tone="faint")
-    for index in (0, *later):
-        case = report.cases[index]
-        yield Column(
-            head=said("case {name}", name=case.name) if many else said("value"),
-            values=[_cell(report, row, index) for row in rows],
-            key=case.name,
-            align="right",
-            tones=tones,
-        )
-        if index and case.converged and report.cases[0].converged:
-            pairs = [_differences(report, row, index) for row in rows]
-            for place, head, key in ((0, "Δ", "difference"), (1, "Δ, %", "percent")):
-                yield Column(
-                    head=head,
-                    values=[pair[place] for pair in pairs],
-                    key=f"{case.name}_{key}",
-                    align="right",
-                    tone="faint",
-                )
-    paths: list[CellContent] = [row.path or None for row in rows]
-    yield Column(head="path", values=paths, key="path", only_in_files=True)
-
-
-def _cell(report: Report, row: _Row, case: int) -> CellContent:
-    if row.texts:
-        return row.texts[case]
-    value = report.cases[case].number(row.path)
-    if value is None:
-        return Number(nan)
-    return Number(value, _bracketed(row.form))
-
-
-def _differences(report: Report, row: _Row, case: int) -> tuple[CellContent, CellContent]:
-    """The difference to the first case, and its share; none of what is printed alike."""
-    absolute, share = (None, None) if row.texts else report.difference(row.path, case)
-    if absolute is None:
-        return None, None
-    form = _bracketed(row.form).replace("[°C]", "[K]")
-    write, plain = manner().number, _bracketed(row.form)
-    first, own = (one.number(row.path) or 0.0 for one in (report.cases[0], report.cases[case]))
-    if write(first, plain) == write(own, plain):  # what is less is rounding
-        return Number(0.0), None
-    share = None if write(first, plain) == write(0.0, plain) or row.shown_unit == "°C" else share
-    return Number(absolute, f"+{form}"), None if share is None else Number(share, "+.1f [%]")
-
-
-def _bracketed(form: str) -> str:
-    """The form of a number whose unit stands elsewhere."""
-    figures, _, unit = form.partition(" ")
-    return f"{figures} [{unit}]" if unit else figures
-
-
 # --- summary --------------------------------------------------------------------------------------
 
 
@@ -471,22 +370,22 @@ def _summary(report: Report, *, advice: bool = True) -> tuple[Statement | Notes 
     statements = [_status_statement(case, many=many, advice=advice) for case in report.cases]
     solved = [case.analysis.solved for case in report.cases if case.converged]
     rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
-    tables = _tables(report, [("", rows)], "summary")
+    tables = tables_of(report.cases, [("", rows)], "summary")
     if len(report.cases) == 1 and tables:
         tables = (_with_limits(report, rows, tables[0]),)
     return (*statements, *_verdict_of(report), *tables, *_qualifications(report))
 
 
-def _with_limits(report: Report, rows: Sequence[_Row], table: Table) -> Table:
+def _with_limits(report: Report, rows: Sequence[_Quantity], table: Table) -> Table:
     """The table of the summary with what each row is held against."""
     case = report.cases[0]
-    shown = [row for row in rows if _has(report, row)]
+    shown = [row for row in rows if row.known(report.cases)]
     found = [_limit_of(case, row) if case.converged else ("", None, "") for row in shown]
     if not any(limit for limit, _, _ in found):
         return table
     *columns, path = table.columns
     tones: list[Tone] = [tone for _, _, tone in found]
-    beside = Column(head=said("limit"), values=[one[0] for one in found], key="limit", tones=tones)
+    beside = Column(said("limit"), [one[0] for one in found], "limit", tones=tones)
     return replace(table, columns=(*columns, beside, path))
 
 
@@ -531,38 +430,73 @@ def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> Statemen
                      mark="✓" if case.converged else "✗")  # fmt: skip
 
 
-def _summary_rows(report: Report) -> list[_Row]:
-    leading = tuple(_leading(case) for case in report.cases)
+def _summary_rows(report: Report) -> list[_Quantity]:
+    torque, power = _torque_form(report), _power_form(report)
     return [
-        *_life_rows(report),
-        _Row(said("theory used"), texts=leading),
-        _Row(said("reliability at the required life"), "analysis.life.required_life.reliability",
-             ".4 %"),
-        _Row(said("static safety factor S_0"), "analysis.life.loads.static_safety", ".3"),
-        _Row(said("load ratio C/P"), "extremes.load_ratio", ".3"),
-        _Row(said("maximum contact pressure"), "extremes.max_pressure", ".4 MPa"),
-        _Row(said("viscosity ratio κ"), "analysis.film.viscosity_ratio", ".3"),
-        _Row(said("minimum film parameter λ"), "extremes.film_parameter", ".3"),
-        _Row(
-            _bounded(report, said("friction torque"), said("friction torque, at most")),
-            "analysis.friction.torque",
-            _torque_form(report),
+        _life_row(report),
+        Quantity(said("theory used"), _leading),
+        Quantity(
+            said("reliability at the required life"),
+            _reliability,
+            ".4 %",
+            "analysis.life.required_life.reliability",
         ),
-        _Row(
-            _bounded(report, said("friction power"), said("friction power, at most")),
-            "analysis.friction.power",
-            _power_form(report),
-        ),
-        _Row(
-            said("friction power (friction control)"),
-            "analysis.rolling.power",
-            _power_form(report),
-        ),
-        _Row(said("mean clearance in operation"), "clearance.mean", ".3 µm"),
-        _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
-        _Row(said("axial stiffness"), "analysis.stiffness.0.0", ".4 N/µm"),
-        _Row(said("radial stiffness (z)"), "analysis.stiffness.2.2", ".4 N/µm"),
-    ]  # fmt: skip
+        _static_safety(),
+        _load_ratio(),
+        extreme(said("maximum contact pressure"), "max_pressure", ".4 MPa"),
+        _viscosity_ratio(),
+        extreme(said("minimum film parameter λ"), "film_parameter", ".3"),
+        _torque(report, said("friction torque"), said("friction torque, at most"), torque),
+        _power(report, power),
+        ROLLING(said("friction power (friction control)"), "power", power),
+        _clearance_row(said("mean clearance in operation"), "mean"),
+        PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
+        _stiffness_row(said("axial stiffness"), 0),
+        _stiffness_row(said("radial stiffness (z)"), 2),
+    ]
+
+
+def _reliability(case: CaseReport) -> float | None:
+    life = case.analysis.life
+    wanted = None if life is None else life.conditions.required_life
+    if life is None or wanted is None:
+        return None
+    return float(life.reliability_after(wanted)[0])
+
+
+def _static_safety() -> _Quantity:
+    return LIFE(
+        said("static safety factor S_0"), "loads.static_safety", ".3", lambda own: own.loads.safety
+    )
+
+
+def _load_ratio() -> _Quantity:
+    return extreme(said("load ratio C/P"), "load_ratio", ".3")
+
+
+def _viscosity_ratio() -> _Quantity:
+    return FILM(said("viscosity ratio κ"), "viscosity_ratio", ".3")
+
+
+def _torque(report: Report, usual: str, bounded: str, form: str) -> _Quantity:
+    return FRICTION(_bounded(report, usual, bounded), "torque", form)
+
+
+def _power(report: Report, form: str) -> _Quantity:
+    label = _bounded(report, said("friction power"), said("friction power, at most"))
+    return FRICTION(label, "power", form)
+
+
+def _clearance_row(label: str, name: str) -> _Quantity:
+    def of(case: CaseReport) -> float | None:
+        return None if case.clearance is None else float(getattr(case.clearance, name))
+
+    return Quantity(label, of, ".3 µm", f"clearance.{name}")
+
+
+def _stiffness_row(label: str, at: int) -> _Quantity:
+    form = ".4 N/µm" if at < 3 else ".4 N·m/mrad"
+    return SOLVED(label, f"stiffness.{at}.{at}", form, lambda own: own.stiffness.array[0, at, at])
 
 
 # --- key figures ----------------------------------------------------------------------------------
@@ -612,10 +546,9 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
     alone = replace(report, cases=(case,))
     found = []
     for row in _summary_rows(alone):
-        cell = _cell(alone, row, 0)
-        shown = cell if isinstance(cell, str) else _shown(cell)
-        if not shown or (not row.texts and case.number(row.path) is None):
+        if not row.known([case]):
             continue
+        shown = _shown(row.cell(case))
         is_life = row.label == said("rating life")
         key = "life" if is_life else row.path or "theory"
         limit, share, tone = _limit_of(case, row)
@@ -623,16 +556,16 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
     return (*found, *_tilt_figure(case))
 
 
-def _shown(cell: CellContent) -> str:
-    if not isinstance(cell, Number) or not isinstance(cell.value, int | float):
-        return ""
-    return manner().number(float(cell.value), cell.form)
+def _shown(cell: str | Number) -> str:
+    if isinstance(cell, str):
+        return cell
+    return manner().number(cell.value, cell.form) if isfinite(cell.value) else ""
 
 
-def _limit_of(case: CaseReport, row: _Row) -> tuple[str, float | None, Tone]:
+def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, Tone]:
     """What a row of the summary is held against: the limit, the share of it, the tone."""
     checks = {check.name: check for check in case.checks}
-    value = case.number(row.path) if row.path else None
+    value = row.number(case)
     if row.path == "extremes.max_pressure" and value is not None:
         known = [one.high for name, one in checks.items() if name.endswith("pressure")]
         least = min((one for one in known if one is not None), default=nan)
@@ -651,7 +584,7 @@ def _limit_of(case: CaseReport, row: _Row) -> tuple[str, float | None, Tone]:
         if row.path == path and value is not None and value > 0.0:
             tone: Tone = "" if value >= least else "bad" if value < refused else "warning"
             return said("at least {limit:.3}", limit=least), min(least / value, 9.0), tone
-    hours = case.number("analysis.life.headline.hours")
+    hours = _hours(case)
     required = case.case.life.required_life if case.case.life is not None else None
     if row.label == said("rating life") and required and hours:
         wanted = required / 3600.0
@@ -694,32 +627,41 @@ def comparison_sections(report: Report) -> tuple[Section, Section]:
     """
     solved = [case.analysis.solved for case in report.cases if case.converged]
     rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
-    differing: list[_Row] = []
-    same: list[_Row] = []
+    differing: list[_Quantity] = []
+    same: list[_Quantity] = []
     for row in rows:
-        texts = {
-            cell if isinstance(cell, str) else _shown(cell)
-            for cell in (_cell(report, row, at) for at in range(len(report.cases)))
-        }
+        texts = {_shown(row.cell(case)) for case in report.cases}
         (same if len(texts) == 1 else differing).append(row)
     return (
-        Section(said("What differs"), _tables(report, [("", differing)], "summary", abreast=3),
-                "summary"),
-        Section(said("The same in all"), _tables(report, [("", same)], "same", abreast=3), "same"),
-    )  # fmt: skip
+        Section(
+            said("What differs"),
+            tables_of(report.cases, [("", differing)], "summary", abreast=3),
+            "summary",
+        ),
+        Section(
+            said("The same in all"),
+            tables_of(report.cases, [("", same)], "same", abreast=3),
+            "same",
+        ),
+    )
 
 
-def _life_rows(report: Report) -> list[_Row]:
+def _hours(case: CaseReport) -> float | None:
+    life = case.analysis.life
+    return None if life is None else number_of(life.headline.hours)
+
+
+def _life_row(report: Report) -> _Quantity:
     """The leading life; in words where fatigue does not decide, or no theory is valid."""
-    path, label = "analysis.life.headline.hours", said("rating life")
+    label = said("rating life")
     if all(_is_plain(case) for case in report.cases):
-        return [_Row(label, path, ".4r", unit="h")]
-    return [_Row(label, texts=tuple(_life_text(case) for case in report.cases))]
+        return Quantity(label, _hours, ".4r", "analysis.life.headline.hours", "h")
+    return Quantity(label, _life_text)
 
 
 def _is_plain(case: CaseReport) -> bool:
     """Whether a number says what there is to say of the leading life, or there is none."""
-    life, hours = case.analysis.life, case.number("analysis.life.headline.hours")
+    life, hours = case.analysis.life, _hours(case)
     if life is None or hours is None:
         return not (case.converged and life is not None and _is_endless(case))
     return bool(life.headline.valid[0]) and hours <= _LONGEST_LIFE
@@ -731,7 +673,7 @@ def _is_endless(case: CaseReport) -> bool:
 
 
 def _life_text(case: CaseReport) -> str:
-    life, hours = case.analysis.life, case.number("analysis.life.headline.hours")
+    life, hours = case.analysis.life, _hours(case)
     if life is None:
         return ""
     if not life.headline.leads[0]:
@@ -791,7 +733,7 @@ def _inputs(report: Report) -> list[Section]:
     sources = _Sources()
     if len(report.cases) == 1:
         table = _input_table(report, fields, [0], "inputs", sources)
-        return [Section("", (*table, *sources.blocks()), key="inputs_table")]
+        return [Section("", (*table, *sources.blocks()), "inputs_table")]
     equal = [field for field in fields if not _differing(report, field)]
     tables: list[Table] = []
     for index in range(1, len(report.cases)):
@@ -803,8 +745,8 @@ def _inputs(report: Report) -> list[Section]:
     ]
     rest = _input_table(report, equal, [0], "inputs_in_common", sources)
     return [
-        Section(said("Inputs that differ"), tuple(same), key="differing_inputs", level=3),
-        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs", level=3),
+        Section(said("Inputs that differ"), tuple(same), "differing_inputs", 3),
+        Section(said("Inputs in common"), (*rest, *sources.blocks()), "common_inputs", 3),
     ]
 
 
@@ -867,34 +809,27 @@ def _input_table(
             place = table
     many = len(cases) > 1
     columns = [
-        Column(head=said("input"), values=[_label(field) for field in fields], key="input"),
-        Column(
-            head=said("field"), values=list(fields), key="field", tone="faint", only_in_files=many
-        ),
-        Column(head=said("unit"), values=[first[f].unit for f in fields], key="unit",
-               tone="faint"),
-    ]  # fmt: skip
+        Column(said("input"), [_label(field) for field in fields], "input"),
+        Column(said("field"), list(fields), "field", tone="faint", only_in_files=many),
+        Column(said("unit"), [first[f].unit for f in fields], "unit", tone="faint"),
+    ]
     for index in cases:
         case = report.cases[index]
         own = [case.input(field) for field in fields]
         columns.append(
             Column(
-                head=said("case {name}", name=case.name) if many else said("value"),
-                values=[_input_cell(one) for one in own],
-                key=case.name,
+                said("case {name}", name=case.name) if many else said("value"),
+                [_input_cell(one) for one in own],
+                case.name,
                 align="right",
             )
         )
         if index:
             columns += _input_differences(report, fields, index)
         columns.append(
-            Column(
-                head=said("origin"),
-                values=[sources.cell(one) for one in own],
-                key=f"{case.name}_origin",
-            )
+            Column(said("origin"), [sources.cell(one) for one in own], f"{case.name}_origin")
         )
-    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=2)]
+    return [Table(tuple(columns), key, groups=tuple(groups), rule=True, fixed=2)]
 
 
 def _any_input(report: Report, field: str) -> Input:
@@ -936,8 +871,8 @@ def _input_differences(report: Report, fields: Sequence[str], case: int) -> list
         relative.append(None if share is None or unit == "K" else Number(share, "+.1f [%]"))
     name = report.cases[case].name
     return [
-        Column(head="Δ", values=absolute, key=f"{name}_difference", align="right", tone="faint"),
-        Column(head="Δ, %", values=relative, key=f"{name}_percent", align="right", tone="faint"),
+        Column("Δ", absolute, f"{name}_difference", align="right", tone="faint"),
+        Column("Δ, %", relative, f"{name}_percent", align="right", tone="faint"),
     ]
 
 
@@ -969,14 +904,14 @@ def _results(report: Report) -> list[Section | Beside]:
         said("Element loads compared"),
     )
     loads = _ball_loads(report)
-    sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
+    sections += [Section(compared, loads, "ball_loads", 3)] * bool(loads)
     for key in ("contacts", "film", "friction", "heat", "frequencies", "stiffness"):
         add(key)
     for case in report.cases:
         sections += _asked(report, case)
     missing = Notes(_missing(report))
     if missing.remarks:
-        sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
+        sections.append(Section(said("Not calculated"), (missing,), "missing", 3))
     return sections
 
 
@@ -989,11 +924,21 @@ def _asked(report: Report, case: CaseReport) -> list[Section]:
         parts.append(electrical_sections(case.electrics, level=3))
     sections = []
     for first, *others in parts:
-        heading = first.heading
-        if len(report.cases) > 1:
-            heading = said("{what}, case {name}", what=heading, name=case.name)
+        heading = _of_case(report, case, first.heading)
         sections += [replace(first, heading=heading), *(replace(one, level=4) for one in others)]
     return sections
+
+
+def _of_case(report: Report, case: CaseReport, heading: str) -> str:
+    """A heading, with the name of its case where there are several."""
+    if len(report.cases) == 1:
+        return heading
+    return said("{what}, case {name}", what=heading, name=case.name)
+
+
+def _named(report: Report, case: CaseReport) -> list[Title]:
+    """The name of a case over its blocks, where there are several."""
+    return [Title(said("case {name}", name=case.name))] * (len(report.cases) > 1)
 
 
 def _elements(report: Report) -> list[str]:
@@ -1007,10 +952,7 @@ def _missing(report: Report) -> tuple[Remark, ...]:
     texts = (
         ("life", said("Ratings and lives: see the summary.")),
         ("film", said("Lubricant film: requires [lubricant] and temperature.lubricant.")),
-        (
-            "friction",
-            said("Friction: requires [lubricant] and temperature.lubricant."),
-        ),
+        ("friction", said("Friction: requires [lubricant] and temperature.lubricant.")),
         ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),
     )
     remarks = [
@@ -1027,48 +969,43 @@ def _missing(report: Report) -> tuple[Remark, ...]:
 
 
 def _loads(report: Report) -> tuple[Table, ...]:
-    life = "analysis.life"
     lives = [case.analysis.life for case in report.cases if case.analysis.life is not None]
     axial = bool(lives) and all(found.ratings.is_axial for found in lives)
-    rating = (
-        (
-            "dynamic",
-            said("basic dynamic axial load rating C_a")
-            if axial
-            else said("basic dynamic load rating C"),
-        ),
-        (
-            "static",
-            said("basic static axial load rating C_0a")
-            if axial
-            else said("basic static load rating C_0"),
-        ),
-        ("fatigue", said("fatigue load limit C_u")),
-    )
     dynamic, static = (
         (said("dynamic equivalent axial load P_a"), said("static equivalent axial load P_0a"))
         if axial
         else (said("dynamic equivalent load P"), said("static equivalent load P_0"))
     )
+    rated, rated_at_rest = (
+        (said("basic dynamic axial load rating C_a"), said("basic static axial load rating C_0a"))
+        if axial
+        else (said("basic dynamic load rating C"), said("basic static load rating C_0"))
+    )
     rows = [
-        _Row(dynamic, f"{life}.loads.equivalent", ".4 N"),
-        _Row(said("radial load factor X"), f"{life}.loads.radial_factor"),
-        _Row(said("axial load factor Y"), f"{life}.loads.axial_factor"),
-        _Row(said("axial load limit e"), f"{life}.loads.load_ratio_limit"),
-        _Row(static, f"{life}.loads.static_equivalent", ".4 N"),
-        _Row(said("load of the reference life P_ref"), "extremes.reference_load", ".4 N"),
+        LIFE(dynamic, "loads.equivalent", ".4 N", lambda own: own.loads.dynamic),
+        LIFE(said("radial load factor X"), "loads.radial_factor"),
+        LIFE(said("axial load factor Y"), "loads.axial_factor"),
+        LIFE(said("axial load limit e"), "loads.load_ratio_limit", get=lambda own: own.loads.limit),
+        LIFE(static, "loads.static_equivalent", ".4 N", lambda own: own.loads.static),
+        extreme(said("load of the reference life P_ref"), "reference_load", ".4 N"),
     ]
-    ratings = [_Row(label, f"{life}.ratings.{name}", ".5 N") for name, label in rating]
-    safety = [
-        _Row(said("static safety factor S_0"), f"{life}.loads.static_safety", ".3"),
-        _Row(said("load ratio C/P"), "extremes.load_ratio", ".3"),
+    ratings = [
+        LIFE(rated, "ratings.dynamic", ".5 N", lambda own: own.ratings.dynamic_of_set),
+        LIFE(rated_at_rest, "ratings.static", ".5 N", lambda own: own.ratings.static_of_set),
+        LIFE(
+            said("fatigue load limit C_u"),
+            "ratings.fatigue",
+            ".5 N",
+            lambda own: own.ratings.fatigue_of_set,
+        ),
     ]
+    safety = [_static_safety(), _load_ratio()]
     groups = [
         (said("Equivalent loads"), rows),
         (said("Ratings"), ratings),
         (said("Safety"), safety),
     ]
-    return _tables(report, groups, "loads", legends=_rating_sources(report))
+    return tables_of(report.cases, groups, "loads", legends=_rating_sources(report))
 
 
 def _rating_sources(report: Report) -> tuple[str, ...]:
@@ -1096,7 +1033,7 @@ def _rating_sources(report: Report) -> tuple[str, ...]:
 
 def _rating_source(case: CaseReport, name: str) -> str:
     life = case.analysis.life
-    if life is None or case.number(f"analysis.life.ratings.{name}") is None:
+    if life is None or number_of(getattr(life.ratings, f"{name}_of_set")) is None:
         return ""
     given = life.rating_sources[name] == "given"
     return said("case file") if given else rating_source(life, name)
@@ -1118,24 +1055,34 @@ def _lives(report: Report) -> list[Table | Statement]:
         return []
     if len(report.cases) == 1:
         return [_theory_table(report.cases[0], theories)]
-    base = "analysis.life"
     groups: list[_Group] = []
     for name in theories:
-        own = f"{base}.theories.{name}"
         rows = [
-            _hours_row(report, said("life"), f"{own}.hours"),
-            _Row(said("life modification factor a_ISO"), f"{own}.factors.a_iso"),
-            _Row(said("valid here"), texts=tuple(_verdict(case, name) for case in report.cases)),
+            _hours_row(report, said("life"), name),
+            _factor(said("life modification factor a_ISO"), name, "a_iso"),
+            Quantity(said("valid here"), partial(_verdict, theory=name)),
         ]
         groups.append((theory_name(name), rows))
     common = [
-        _Row(said("reliability"), f"{base}.headline.reliability", ".6 %"),
-        _Row(said("reliability factor a_1"), f"{base}.theories.{theories[0]}.factors.a_1"),
-        _Row(said("viscosity ratio κ"), f"{base}.viscosity_ratio", ".3"),
-        _Row(said("contamination factor e_C"), f"{base}.contamination_factor", ".3"),
+        LIFE(said("reliability"), "headline.reliability", ".6 %"),
+        _factor(said("reliability factor a_1"), theories[0], "a_1"),
+        LIFE(said("viscosity ratio κ"), "viscosity_ratio", ".3"),
+        LIFE(said("contamination factor e_C"), "contamination_factor", ".3"),
     ]
     groups.append((said("Conditions"), common))
-    return list(_tables(report, groups, "lives", legends=_life_legends()))
+    return list(tables_of(report.cases, groups, "lives", legends=_life_legends()))
+
+
+def _own_life(case: CaseReport, theory: str) -> Life | None:
+    return None if case.analysis.life is None else case.analysis.life.theories.get(theory)
+
+
+def _factor(label: str, theory: str, name: str) -> _Quantity:
+    def of(case: CaseReport) -> float | None:
+        own = _own_life(case, theory)
+        return None if own is None or name not in own.factors else number_of(own.factors[name])
+
+    return Quantity(label, of, path=f"analysis.life.theories.{theory}.factors.{name}")
 
 
 def _service_lives(report: Report) -> list[Section]:
@@ -1147,12 +1094,10 @@ def _service_lives(report: Report) -> list[Section]:
         found = case.service_life
         if found is None:
             continue
-        heading = said("What ends it first")
-        if len(report.cases) > 1:
-            heading = said("{what}, case {name}", what=heading, name=case.name)
+        heading = _of_case(report, case, said("What ends it first"))
         figure = replace(time_line(found), key=f"service_life_{case.name}")
         blocks = (*_endings(found), figure)
-        sections.append(Section(heading, blocks, f"service_life_{case.name}", level=3))
+        sections.append(Section(heading, blocks, f"service_life_{case.name}", 3))
     return sections
 
 
@@ -1174,20 +1119,23 @@ def _all_endings(report: Report) -> list[Block]:
         block
         for case in report.cases
         if case.service_life is not None
-        for block in (
-            *([Title(said("case {name}", name=case.name))] if len(report.cases) > 1 else []),
-            *_endings(case.service_life),
-        )
+        for block in (*_named(report, case), *_endings(case.service_life))
     ]
 
 
-def _hours_row(report: Report, label: str, path: str) -> _Row:
+def _hours_row(report: Report, label: str, theory: str) -> _Quantity:
     """Hours, or in words those beyond what fatigue decides."""
-    hours = [case.number(path) for case in report.cases]
-    if all(own is None or own <= _LONGEST_LIFE for own in hours):
-        return _Row(label, path, ".4r", unit="h")
-    texts = tuple("" if own is None else _hours_text(own) for own in hours)
-    return _Row(label, unit="h", texts=texts)
+
+    def of(case: CaseReport) -> float | None:
+        own = _own_life(case, theory)
+        return None if own is None else number_of(own.hours)
+
+    def text(case: CaseReport) -> str:
+        return "" if (hours := of(case)) is None else _hours_text(hours)
+
+    if all((of(case) or 0.0) <= _LONGEST_LIFE for case in report.cases):
+        return Quantity(label, of, ".4r", f"analysis.life.theories.{theory}.hours", "h")
+    return Quantity(label, text, unit="h")
 
 
 def _hours_text(hours: float) -> str:
@@ -1214,74 +1162,37 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
         "strong" if name == leading else "" if _verdict(case, name) != said("no") else "faint"
         for name in theories
     ]
-    columns = [
-        Column(
-            head=said("theory"), values=list(map(theory_name, theories)), key="theory", tones=tones
-        )
+    columns = [Column(said("theory"), list(map(theory_name, theories)), "theory", tones=tones)]
+    lives = [own for name in theories if (own := _own_life(case, name)) is not None]
+    millions = [number_of(own.life) for own in lives]
+    cells: list[CellContent] = [
+        Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
+        for own in millions
     ]
-    millions = [case.number(f"{base}.{name}.life") for name in theories]
+    columns.append(Column("10⁶ rev", cells, "life", align="right", tones=tones))
     columns.append(
-        Column(
-            head="10⁶ rev",
-            values=[
-                Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
-                for own in millions
-            ],
-            key="life",
-            align="right",
-            tones=tones,
-        )
+        Column("h", [_hours_cell(own) for own in lives], "hours", align="right", tones=tones)
     )
-    hours = [case.number(f"{base}.{name}.hours") for name in theories]
-    columns.append(
-        Column(
-            head="h",
-            values=[
-                _endless(case, name)
-                if own is None
-                else _hours_text(own)
-                if own > _LONGEST_LIFE
-                else Number(own, ".4r")
-                for name, own in zip(theories, hours, strict=True)
-            ],
-            key="hours",
-            align="right",
-            tones=tones,
-        )
-    )
-    for head, name in (
-        ("a_1", "a_1"), ("a_ISO", "a_iso"), ("a_2", "a_2"), ("a_3", "a_3"), ("a_NSK", "a_nsk"),
-        ("κ", "viscosity_ratio"), ("e_C", "contamination_factor"),
-    ):  # fmt: skip
-        found = [case.number(f"{base}.{theory}.factors.{name}") for theory in theories]
+    for head, name in FACTORS:
+        found = [number_of(own.factors[name]) if name in own.factors else None for own in lives]
         if any(own is not None for own in found):
-            cells: list[CellContent] = [None if own is None else Number(own, ".3") for own in found]
-            columns.append(
-                Column(head=head, values=cells, key=f"factors.{name}", align="right", tones=tones)
-            )
+            cells = [None if own is None else Number(own, ".3") for own in found]
+            columns.append(Column(head, cells, f"factors.{name}", align="right", tones=tones))
     columns.append(
         Column(
-            head=said("valid here"),
-            values=[_verdict(case, name) for name in theories],
-            key="valid",
-            tones=tones,
+            said("valid here"), [_verdict(case, name) for name in theories], "valid", tones=tones
         )
     )
     columns.append(
-        Column(
-            head="path",
-            values=[f"{base}.{name}" for name in theories],
-            key="path",
-            only_in_files=True,
-        )
+        Column("path", [f"{base}.{name}" for name in theories], "path", only_in_files=True)
     )
-    reliability = case.number("analysis.life.headline.reliability") or nan
+    reliability = lives[0].reliability
     legends = (
         said("Lives for {reliability:.6 %} reliability; the governing one in bold.",
              reliability=reliability),
         *_life_legends(),
     )  # fmt: skip
-    return Table(columns=tuple(columns), key=f"lives_{case.name}", legends=legends, rule=True)
+    return Table(tuple(columns), f"lives_{case.name}", legends=legends, rule=True)
 
 
 def _chosen(case: CaseReport) -> str:
@@ -1289,9 +1200,11 @@ def _chosen(case: CaseReport) -> str:
     return "" if life is None or not life.headline.leads[0] else str(life.headline.theory[0])
 
 
-def _endless(case: CaseReport, theory: str) -> CellContent:
-    own = case.numbers["analysis"]["life"]["theories"][theory]
-    return said("no fatigue limit reached") if own["unlimited"] else Number(nan)
+def _hours_cell(own: Life) -> CellContent:
+    hours = number_of(own.hours)
+    if hours is None:
+        return said("no fatigue limit reached") if float(own.life[0]) == inf else Number(nan)
+    return _hours_text(hours) if hours > _LONGEST_LIFE else Number(hours, ".4r")
 
 
 def _verdict(case: CaseReport, theory: str) -> str:
@@ -1299,21 +1212,19 @@ def _verdict(case: CaseReport, theory: str) -> str:
     if life is None or theory not in life.theories:
         return ""
     own = life.theories[theory]
-    if own.below[0]:
-        return said("bound")
-    return said("yes") if own.valid[0] else said("no")
+    return verdict(bool(own.valid[0]), bool(own.below[0]))
 
 
 # --- clearance ------------------------------------------------------------------------------------
 
-_DETAILS: Final = (
-    ("interference", marked("interference as mounted"), "µm"),
-    ("smoothing", marked("loss by smoothing"), "µm"),
-    ("expansion", marked("gain by expansion"), "µm"),
-    ("rotation", marked("loss by rotation"), "µm"),
-    ("effective_interference", marked("interference in operation"), "µm"),
-    ("pressure", marked("contact pressure"), "MPa"),
-)
+_DETAILS: Final = {
+    "interference": marked("interference as mounted"),
+    "smoothing": marked("loss by smoothing"),
+    "expansion": marked("gain by expansion"),
+    "rotation": marked("loss by rotation"),
+    "effective_interference": marked("interference in operation"),
+    "pressure": marked("contact pressure"),
+}
 _LIMITS: Final = ("minimum", "mean", "maximum")
 
 
@@ -1332,7 +1243,7 @@ def _clearance(report: Report) -> list[Table]:
     groups: list[_Group] = [
         (
             said("Diametral clearance in operation"),
-            [_Row(limits[name], f"clearance.{name}", ".3 µm") for name in _LIMITS],
+            [_clearance_row(limits[name], name) for name in _LIMITS],
         )
     ]
     steps = []
@@ -1340,9 +1251,16 @@ def _clearance(report: Report) -> list[Table]:
         places = [_place_of(case, name) for case in report.cases]
         at = next(place for place in places if place is not None)
         if all(place in (None, at) for place in places):
-            steps.append(_Row(said(STEPS[name]), f"clearance.steps.{at}.change.1", ".3 µm"))
+            steps.append(_step_row(name, at))
     groups.append((said("Mean change of clearance by step"), steps))
-    return list(_tables(report, groups, "clearance"))
+    return list(tables_of(report.cases, groups, "clearance"))
+
+
+def _step_row(name: str, at: int) -> _Quantity:
+    def of(case: CaseReport) -> float | None:
+        return None if _place_of(case, name) is None else float(case.clearance.steps[at].change[1])
+
+    return Quantity(said(STEPS[name]), of, ".3 µm", f"clearance.steps.{at}.change.1")
 
 
 def _place_of(case: CaseReport, step: str) -> int | None:
@@ -1354,54 +1272,21 @@ def _place_of(case: CaseReport, step: str) -> int | None:
 
 def _chain(case: CaseReport) -> Table:
     """The chain of clearances of one case, with what went into the fits."""
-    labels, units, paths, sources = [], [], [], []
-    tones: list[Tone] = []
-    for place, step in enumerate(case.clearance.steps):
-        labels.append(said(STEPS[step.name]))
-        units.append("µm")
-        paths.append(f"clearance.steps.{place}.change")
-        sources.append(step.source.text)
-        tones.append("")
-        for name, label, unit in _DETAILS:
-            values = step.details.get(name)
-            if values is not None and (any(values) or name == "interference"):
-                labels.append("  " + said(label))
-                units.append(unit)
-                paths.append(f"clearance.steps.{place}.details.{name}")
-                sources.append("")
-                tones.append("faint")
-    labels.append(said("in operation"))
-    units.append("µm")
-    paths.append("clearance")
-    sources.append("")
-    tones.append("strong")
+    lines = list(chain_lines(case.clearance, _DETAILS))
+    tones = [line.tone for line in lines]
     heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
-        Column(head=said("diametral clearance"), values=labels, key="step", tones=tones),
-        Column(head=said("unit"), values=units, key="unit", tone="faint"),
-        *(
-            Column(
-                head=head,
-                values=[
-                    _limit_cell(case, path, at, unit)
-                    for path, unit in zip(paths, units, strict=True)
-                ],
-                key=_LIMITS[at],
-                align="right",
-                tones=tones,
-            )
-            for at, head in enumerate(heads)
-        ),
-        Column(head=said("source"), values=sources, key="source", tone="faint"),
-        Column(head="path", values=paths, key="path", only_in_files=True),
+        Column(said("diametral clearance"), [line.label for line in lines], "step", tones=tones),
+        Column(said("unit"), [line.unit for line in lines], "unit", tone="faint"),
     ]
-    return Table(columns=tuple(columns), key=f"clearance_{case.name}", rule=True)
-
-
-def _limit_cell(case: CaseReport, path: str, at: int, unit: str) -> CellContent:
-    own = f"{path}.{_LIMITS[at]}" if path == "clearance" else f"{path}.{at}"
-    value = case.number(own)
-    return Number(nan) if value is None else Number(value, f".1f [{unit}]")
+    for at, head in enumerate(heads):
+        cells = [Number(line.values[at], f".1f [{line.unit}]") for line in lines]
+        columns.append(Column(head, cells, _LIMITS[at], align="right", tones=tones))
+    columns += [
+        Column(said("source"), [line.source for line in lines], "source", tone="faint"),
+        Column("path", [line.path for line in lines], "path", only_in_files=True),
+    ]
+    return Table(tuple(columns), f"clearance_{case.name}", rule=True)
 
 
 # --- ring, rows, balls ----------------------------------------------------------------------------
@@ -1409,20 +1294,18 @@ def _limit_cell(case: CaseReport, path: str, at: int, unit: str) -> CellContent:
 
 def _ring(report: Report) -> tuple[Table, ...]:
     moved = [
-        _Row(
-            said(label), f"analysis.displacement.{axis}", ".3f µm" if len(axis) == 1 else ".4f mrad"
-        )
+        SOLVED(said(label), f"displacement.{axis}", ".3f µm" if len(axis) == 1 else ".4f mrad")
         for axis, label in zip(AXES, _MOVED, strict=True)
     ]
     loads = [
-        _Row(said(label), f"analysis.load.{load}", ".1f N" if load[0] == "f" else ".3f N·m")
+        SOLVED(said(label), f"load.{load}", ".1f N" if load[0] == "f" else ".3f N·m")
         for load, label in zip(LOADS, _LOADED, strict=True)
     ]
     groups = [(said("Displacements"), moved), (said("Loads of the shaft"), loads)]
     legend = said(
         "Loads not listed among the inputs are reactions at constrained degrees of freedom."
     )
-    return _tables(report, groups, "ring", legends=(legend,))
+    return tables_of(report.cases, groups, "ring", legends=(legend,))
 
 
 _MOVED: Final = (
@@ -1445,37 +1328,54 @@ def _rows(report: Report) -> tuple[Table, ...]:
     """Rows of a set, and what its preload does; nothing of a plain bearing."""
     if not any(case.case.bearing.is_set for case in report.cases):
         return ()
+    first = worded(
+        _elements(report),
+        said("load factor at which the first ball loses contact"),
+        said("load factor at which the first roller loses contact"),
+        said("load factor at which the first rolling element loses contact"),
+    )
     preload = [
-        _Row(said("axial preload at rest"), "analysis.preload.at_rest", ".4 N"),
-        _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
-        _Row(
-            worded(
-                _elements(report),
-                said("load factor at which the first ball loses contact"),
-                said("load factor at which the first roller loses contact"),
-                said("load factor at which the first rolling element loses contact"),
-            ),
-            "analysis.preload.lift_factor",
-            ".3",
-        ),
-        _Row(
-            said("load factor at which a row loses contact"), "analysis.preload.loss_factor", ".3"
-        ),
+        PRELOAD(said("axial preload at rest"), "at_rest", ".4 N"),
+        PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
+        PRELOAD(first, "lift_factor", ".3"),
+        PRELOAD(said("load factor at which a row loses contact"), "loss_factor", ".3"),
     ]
     groups: list[_Group] = [(said("Preload"), preload), *_preload_stages(report)]
     most = max(len(case.analysis.solved.rows) for case in report.cases)
-    for row in range(most):
-        path = f"analysis.rows.{row}"
-        own = [
-            _Row(said("position"), f"{path}.position", ".4 mm"),
-            _Row(said("loaded balls"), f"{path}.loaded_balls", ".4"),
-            _Row(said("loaded rollers"), f"{path}.loaded_rollers", ".4"),
-            _Row(said("axial load Fx"), f"{path}.load.fx", ".4 N"),
-            _Row(said("radial load Fy"), f"{path}.load.fy", ".4 N"),
-            _Row(said("radial load Fz"), f"{path}.load.fz", ".4 N"),
-        ]
-        groups.append((said("row {number}", number=row), own))
-    return _tables(report, groups, "set")
+    groups += [(said("row {number}", number=row), _row_quantities(row)) for row in range(most)]
+    return tables_of(report.cases, groups, "set")
+
+
+def _row_quantities(row: int) -> list[_Quantity]:
+    """What is known of a row of a set."""
+
+    def loaded(own: Solved, *, balls: bool) -> float | None:
+        kind = row < len(own.rows) and (own.rows.element[row] == "ball") == balls
+        return own.loaded_elements[0, row] if kind else None
+
+    def load(own: Solved, place: int) -> float | None:
+        return own.rows.load[0, row, place] if row < len(own.rows) else None
+
+    path = f"rows.{row}"
+    return [
+        SOLVED(
+            said("position"),
+            f"{path}.position",
+            ".4 mm",
+            lambda own: own.rows.position[0, row] if row < len(own.rows) else None,
+        ),
+        SOLVED(
+            said("loaded balls"), f"{path}.loaded_balls", get=lambda own: loaded(own, balls=True)
+        ),
+        SOLVED(
+            said("loaded rollers"),
+            f"{path}.loaded_rollers",
+            get=lambda own: loaded(own, balls=False),
+        ),
+        SOLVED(said("axial load Fx"), f"{path}.load.fx", ".4 N", lambda own: load(own, 0)),
+        SOLVED(said("radial load Fy"), f"{path}.load.fy", ".4 N", lambda own: load(own, 1)),
+        SOLVED(said("radial load Fz"), f"{path}.load.fz", ".4 N", lambda own: load(own, 2)),
+    ]
 
 
 def _heat(report: Report) -> list[Block]:
@@ -1491,12 +1391,21 @@ def _heat(report: Report) -> list[Block]:
     return found
 
 
+def _mean_preload(own: Preloading, at: int) -> float | None:
+    return own.stages[at].preload[1] if at < len(own.stages) else None
+
+
 def _preload_stages(report: Report) -> list[_Group]:
     """What becomes of the preload of mounted sets, at mean tolerances."""
     found = [case.analysis.solved.preload for case in report.cases]
     stages = max((one.stages for one in found if one is not None), key=len, default=())
     rows = [
-        _Row(said(STAGE_NAMES[stage.name]), f"analysis.preload.stages.{place}.preload.1", ".4 N")
+        PRELOAD(
+            said(STAGE_NAMES[stage.name]),
+            f"stages.{place}.preload.1",
+            ".4 N",
+            partial(_mean_preload, at=place),
+        )
         for place, stage in enumerate(stages)
     ]
     return [(said("Preload without external load, at mean tolerances"), rows)] if rows else []
@@ -1517,9 +1426,7 @@ def _rosette(report: Report, case: CaseReport) -> Section:
     found = rosette_section(case.analysis.solved)
     figure = found.blocks[0]
     assert isinstance(figure, Figure)
-    heading = found.heading
-    if len(report.cases) > 1:
-        heading = said("{what}, case {name}", what=heading, name=case.name)
+    heading = _of_case(report, case, found.heading)
     return Section(
         heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}", 3
     )
@@ -1527,30 +1434,30 @@ def _rosette(report: Report, case: CaseReport) -> Section:
 
 def _distribution(report: Report, case: CaseReport) -> Section:
     """The loads of the elements, a line each."""
-    heading = said("Load distribution")
-    if len(report.cases) > 1:
-        heading = said("{what}, case {name}", what=heading, name=case.name)
+    heading = _of_case(report, case, said("Load distribution"))
     tables = tuple(
         replace(table, key=f"{name}_{case.name}")
         for name, table in element_tables(case.analysis.solved).items()
     )
-    return Section(heading, tables, f"distribution_{case.name}", level=3)
+    return Section(heading, tables, f"distribution_{case.name}", 3)
 
 
 def _pictures(report: Report, case: CaseReport) -> list[Section]:
     """What rollers bear along their length, and how the most loaded one lies."""
     sections = []
     for found in roller_pictures(case.analysis.solved):
-        heading = found.heading
-        if len(report.cases) > 1:
-            heading = said("{what}, case {name}", what=heading, name=case.name)
+        heading = _of_case(report, case, found.heading)
         figures = (
             replace(figure, key=f"{figure.key}_{case.name}")
             for figure in found.blocks
             if isinstance(figure, Figure)
         )
-        sections.append(Section(heading, tuple(figures), f"{found.key}_{case.name}", level=3))
+        sections.append(Section(heading, tuple(figures), f"{found.key}_{case.name}", 3))
     return sections
+
+
+def _inner_load(own: Solved, element: int) -> float | None:
+    return float(own.inner.load[0, element]) if own.converged[0] else None
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:
@@ -1562,14 +1469,17 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
         return ()
     balls = kinds == {"ball"}
     rows = [
-        _Row(
+        SOLVED(
             said("ball {number}", number=one) if balls else said("roller {number}", number=one),
-            f"analysis.{'balls' if balls else 'rollers'}.{one}.inner.load",
+            f"{'balls' if balls else 'rollers'}.{one}.inner.load",
             ".4 N",
+            partial(_inner_load, element=one),
         )
         for one in range(counts.pop())
     ]
-    return _tables(report, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),))
+    return tables_of(
+        report.cases, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),)
+    )
 
 
 _OF_CONTACTS: Final = (
@@ -1624,10 +1534,10 @@ def _contacts(report: Report) -> tuple[Table, ...]:
 def _roller_table(report: Report) -> tuple[Table, ...]:
     """Tilt and rib forces of rollers; nothing of balls."""
     rows = [
-        _Row(said("maximum tilt of a roller"), "extremes.roller_tilt", ".3 mrad"),
-        _Row(said("maximum force of a rib on a roller"), "extremes.rib_force", ".4 N"),
+        extreme(said("maximum tilt of a roller"), "roller_tilt", ".3 mrad"),
+        extreme(said("maximum force of a rib on a roller"), "rib_force", ".4 N"),
     ]
-    return _tables(report, [("", rows)], "roller_extremes")
+    return tables_of(report.cases, [("", rows)], "roller_extremes")
 
 
 def _by_race(
@@ -1636,73 +1546,50 @@ def _by_race(
     """Numbers of both races: of one case beside each other, of several below each other."""
     if len(report.cases) > 1:
         groups = [
-            (
-                head,
-                [_Row(said(label), f"extremes.{race}_{name}", form) for name, label, form in rows],
-            )
+            (head, [extreme(said(label), f"{race}_{name}", form) for name, label, form in rows])
             for race, head in heads.items()
         ]
-        return _tables(report, groups, key)
+        return tables_of(report.cases, groups, key)
     case = report.cases[0]
-    found = [
-        row
-        for row in rows
-        if any(case.number(f"extremes.{race}_{row[0]}") is not None for race in heads)
+    found: list[Quantity[Race]] = [
+        Quantity(said(label), _at_race(case, name), form, f"extremes.*_{name}")
+        for name, label, form in rows
     ]
-    columns = [
-        Column(head=said("quantity"), values=[said(row[1]) for row in found], key="quantity"),
-        Column(
-            head=said("unit"),
-            values=[row[2].partition(" ")[2] for row in found],
-            key="unit",
-            tone="faint",
-        ),
-        *(
-            Column(
-                head=head,
-                values=[_number(case, f"extremes.{race}_{name}", form) for name, _, form in found],
-                key=race,
-                align="right",
-            )
-            for race, head in heads.items()
-        ),
-        Column(
-            head="path",
-            values=[f"extremes.*_{row[0]}" for row in found],
-            key="path",
-            only_in_files=True,
-        ),
-    ]
-    return (Table(columns=tuple(columns), key=key, rule=True),)
+    found = [row for row in found if row.known(heads)]
+    label, unit, *values = beside(found, [(race, head, race) for race, head in heads.items()])
+    columns = (
+        replace(label, head=said("quantity")),
+        replace(unit, tone="faint"),
+        *values,
+        Column("path", [row.path for row in found], "path", only_in_files=True),
+    )
+    return (Table(columns, key, rule=True),)
 
 
-def _number(case: CaseReport, path: str, form: str) -> Number:
-    value = case.number(path)
-    return Number(nan if value is None else value, _bracketed(form))
+def _at_race(case: CaseReport, name: str) -> Callable[[Race], float | None]:
+    return lambda race: case.extreme(f"{race}_{name}")
 
 
 # --- film, friction, frequencies, stiffness -------------------------------------------------------
 
 
 def _film(report: Report) -> tuple[Table, ...]:
-    film = "analysis.film"
-    oil = [
-        _Row(said("lubricant"), texts=tuple(_lubricant(case) for case in report.cases)),
-        _Row(said("lubricant temperature"), f"{film}.temperature", ".5 °C"),
-        _Row(said("kinematic viscosity ν"), f"{film}.kinematic_viscosity", ".4 mm²/s"),
-        _Row(said("dynamic viscosity η"), f"{film}.dynamic_viscosity", ".4 mPa·s"),
-        _Row(said("pressure-viscosity coefficient α_p"), f"{film}.pressure_viscosity",
-             ".4 1/GPa"),
-        _Row(said("required viscosity ν_1"), f"{film}.reference_viscosity", ".4 mm²/s"),
-        _Row(said("viscosity ratio κ"), f"{film}.viscosity_ratio", ".3"),
-    ]  # fmt: skip
+    oil: list[_Quantity] = [
+        Quantity(said("lubricant"), _lubricant),
+        FILM(said("lubricant temperature"), "temperature", ".5 °C"),
+        FILM(said("kinematic viscosity ν"), "kinematic_viscosity", ".4 mm²/s"),
+        FILM(said("dynamic viscosity η"), "dynamic_viscosity", ".4 mPa·s"),
+        FILM(said("pressure-viscosity coefficient α_p"), "pressure_viscosity", ".4 1/GPa"),
+        FILM(said("required viscosity ν_1"), "reference_viscosity", ".4 mm²/s"),
+        _viscosity_ratio(),
+    ]
     if not any(case.analysis.film is not None for case in report.cases):
         return ()
     heads: dict[Race, str] = {
         "inner": said("Thinnest film, inner race"),
         "outer": said("Thinnest film, outer race"),
     }
-    tables = _tables(report, [(said("Lubricant"), oil)], "oil")
+    tables = tables_of(report.cases, [(said("Lubricant"), oil)], "oil")
     return (*tables, *_by_race(report, _OF_FILMS, heads, "film"))
 
 
@@ -1721,55 +1608,47 @@ _LOSSES: Final = {
 
 
 def _friction(report: Report) -> tuple[Table, ...]:
-    friction = "analysis.friction"
-    used = tuple(
-        "" if case.analysis.friction is None else torque_model_name(case.analysis.friction.model)
-        for case in report.cases
-    )
     torque, power = _torque_form(report), _power_form(report)
     whole = [
-        _Row(said("coefficient of friction μ"), f"{friction}.friction_coefficient"),
-        _Row(said("coefficient of friction μ, from"), f"{friction}.coefficient_range.0"),
-        _Row(said("coefficient of friction μ, to"), f"{friction}.coefficient_range.1"),
-        _Row(said("model of the contacts"), texts=used),
-        _Row(
-            _bounded(report, said("running torque"), said("running torque, at most")),
-            f"{friction}.torque",
-            torque,
+        FRICTION(said("coefficient of friction μ"), "friction_coefficient"),
+        FRICTION(
+            said("coefficient of friction μ, from"),
+            "coefficient_range.0",
+            get=lambda own: own.coefficient_range[0, 0],
         ),
-        _Row(said("starting torque"), f"{friction}.starting_torque", torque),
-        _Row(
-            _bounded(report, said("friction power"), said("friction power, at most")),
-            f"{friction}.power",
-            power,
+        FRICTION(
+            said("coefficient of friction μ, to"),
+            "coefficient_range.1",
+            get=lambda own: own.coefficient_range[0, 1],
         ),
+        Quantity(said("model of the contacts"), _torque_model),
+        _torque(report, said("running torque"), said("running torque, at most"), torque),
+        FRICTION(said("starting torque"), "starting_torque", torque),
+        _power(report, power),
     ]
     torques = [
-        _Row(said(label), f"{friction}.torque_by_source.{name}", torque)
+        FRICTION(said(label), f"torque_by_source.{name}", torque, partial(_of_source, name=name))
         for name, label in _LOSSES.items()
     ]
-    heats = [_Row(said(label), f"extremes.heat_{name}", power) for name, label in _LOSSES.items()]
-    names = dict.fromkeys(
-        name
-        for case in report.cases
-        if case.analysis.friction is not None
-        for name in case.analysis.friction.models
-    )
+    heats = [extreme(said(label), f"heat_{name}", power) for name, label in _LOSSES.items()]
+    found = [case.analysis.friction for case in report.cases if case.analysis.friction is not None]
     models = [
-        _Row(torque_model_name(name), f"{friction}.models.{name}.torque", torque) for name in names
+        FRICTION(
+            torque_model_name(name), f"models.{name}.torque", torque, partial(_of_model, name=name)
+        )
+        for name in dict.fromkeys(name for one in found for name in one.models)
     ]
     rolling = [
-        _Row(said("cage speed"), "analysis.rolling.cage_speed", ".5 rpm"),
-        _Row(said("cage slip relative to outer raceway control"), "analysis.rolling.skid", ".3 %"),
-        _Row(said("torque on the shaft"), "analysis.rolling.inner_torque", torque),
-        _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
-        _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
+        ROLLING(said("cage speed"), "cage_speed", ".5 rpm"),
+        ROLLING(said("cage slip relative to outer raceway control"), "skid", ".3 %"),
+        ROLLING(said("torque on the shaft"), "inner_torque", torque),
+        ROLLING(said("torque on the housing"), "outer_torque", torque),
+        ROLLING(said("power lost in the contacts"), "power", power),
     ]
-    beside = "analysis.seals_and_bath"
     added = [
-        _Row(said("torque of the seals"), f"{beside}.seal", torque),
-        _Row(said("torque of the oil bath"), f"{beside}.drag", torque),
-        _Row(said("power of seals and oil bath"), f"{beside}.power", power),
+        SEALS_AND_BATH(said("torque of the seals"), "seal", torque),
+        SEALS_AND_BATH(said("torque of the oil bath"), "drag", torque),
+        SEALS_AND_BATH(said("power of seals and oil bath"), "power", power),
     ]
     groups = [
         (said("Friction of the contacts"), whole),
@@ -1779,10 +1658,21 @@ def _friction(report: Report) -> tuple[Table, ...]:
         (said("Torque by model"), models),
         (said("Motion under friction control"), rolling),
     ]
-    if not any(_has(report, row) for _, rows in groups for row in rows):
-        return ()
     legend = said("Losses of seals, cage and oil churning are not included.")
-    return _tables(report, groups, "friction", legends=(legend,))
+    return tables_of(report.cases, groups, "friction", legends=(legend,))
+
+
+def _of_source(own: Friction, name: str) -> FloatArray | None:
+    return own.torque_by_source.get(name)
+
+
+def _of_model(own: Friction, name: str) -> FloatArray | None:
+    return own.models[name].total if name in own.models else None
+
+
+def _torque_model(case: CaseReport) -> str:
+    friction = case.analysis.friction
+    return "" if friction is None else torque_model_name(friction.model)
 
 
 def _bounded(report: Report, usual: str, bounded: str) -> str:
@@ -1798,24 +1688,19 @@ def _bounded(report: Report, usual: str, bounded: str) -> str:
 
 
 def _torque_form(report: Report) -> str:
-    paths = ("analysis.friction.torque", "analysis.rolling.inner_torque")
-    return _readable(report, paths, ("N·m", "N·mm", "µN·m"))
+    """The form of torques of all cases, those of friction control too."""
+    found = (FRICTION("", "torque"), ROLLING("", "inner_torque"))
+    return f".4 {torque_unit(_numbers(report, found))}"
 
 
 def _power_form(report: Report) -> str:
-    paths = ("analysis.friction.power", "analysis.rolling.power")
-    return _readable(report, paths, ("W", "mW", "µW"))
+    found = (FRICTION("", "power"), ROLLING("", "power"))
+    return f".4 {power_unit(_numbers(report, found))}"
 
 
-def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str:
-    """The largest unit of which the greatest number has at least a tenth, else the last."""
-    numbers = [abs(case.number(path) or 0.0) for case in report.cases for path in paths]
-    most = max(numbers)
-    found = (unit for unit in units if float(in_unit(most, unit)) >= _READABLE)
-    return f".4 {next(found, units[-1] if most else units[0])}"
-
-
-_READABLE: Final = 0.1
+def _numbers(report: Report, quantities: Sequence[_Quantity]) -> list[float]:
+    found = (one.number(case) for case in report.cases for one in quantities)
+    return [number for number in found if number is not None]
 
 
 _LINES: Final[dict[LineName, str]] = {
@@ -1845,56 +1730,47 @@ def _line_names(cases: Sequence[CaseReport]) -> dict[LineName, str]:
 
 
 def _frequencies(report: Report) -> tuple[Table, ...]:
-    path = "analysis.frequencies"
     if len(report.cases) == 1:
         return _frequency_table(report.cases[0])
-    shaft = [_Row(said("shaft frequency"), f"{path}.shaft_frequency", ".5 Hz")]
+    shaft = FREQUENCIES(said("shaft frequency"), "shaft_frequency", ".5 Hz")
     labels = _line_names(report.cases)
-    hertz = [_Row(label, f"{path}.{name}.frequency", ".5 Hz") for name, label in labels.items()]
-    orders = [_Row(label, f"{path}.{name}.order", ".5") for name, label in labels.items()]
+    hertz = [FREQUENCIES(label, f"{name}.frequency", ".5 Hz") for name, label in labels.items()]
+    orders = [FREQUENCIES(label, f"{name}.order", ".5") for name, label in labels.items()]
     groups: list[_Group] = [
-        (said("Shaft"), shaft),
+        (said("Shaft"), [shaft]),
         (said("Frequencies"), hertz),
         (said("Orders of the shaft"), orders),
     ]
-    return _tables(report, groups, "frequencies")
+    return tables_of(report.cases, groups, "frequencies")
 
 
 def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
     """Frequencies of one case with their orders."""
-    path = "analysis.frequencies"
-    if case.analysis.frequencies is None:
+    found = case.analysis.frequencies
+    if found is None:
         return ()
     labels = _line_names([case])
-    names = list(labels)
+    lines = [found.lines[name] for name in labels]
     columns = (
-        Column(head="", values=list(labels.values()), key="line"),
-        Column(head="", values=[ABBREVIATIONS[name] for name in names], key="abbreviation"),
+        Column("", list(labels.values()), "line"),
+        Column("", [ABBREVIATIONS[name] for name in labels], "abbreviation"),
         Column(
-            head=said("frequency"),
-            values=[_number(case, f"{path}.{name}.frequency", ".5 Hz") for name in names],
-            unit="Hz",
-            key="frequency",
+            said("frequency"),
+            [Number(own.frequency, ".5 [Hz]") for own in lines],
+            "frequency",
+            "Hz",
             align="right",
         ),
+        Column(said("order"), [Number(own.order, ".5") for own in lines], "order", align="right"),
         Column(
-            head=said("order"),
-            values=[_number(case, f"{path}.{name}.order", ".5") for name in names],
-            key="order",
-            align="right",
-        ),
-        Column(
-            head="path",
-            values=[f"{path}.{name}" for name in names],
-            key="path",
-            only_in_files=True,
+            "path", [f"{FREQUENCIES.path}.{name}" for name in labels], "path", only_in_files=True
         ),
     )
     legend = said(
         "Orders are multiples of the shaft frequency, {frequency:.5 Hz}.",
-        frequency=case.number(f"{path}.shaft_frequency") or 0.0,
+        frequency=found.shaft_frequency,
     )
-    return (Table(columns=columns, key=f"frequencies_{case.name}", legends=(legend,), rule=True),)
+    return (Table(columns, f"frequencies_{case.name}", legends=(legend,), rule=True),)
 
 
 def _stiffness(report: Report) -> list[Table]:
@@ -1902,14 +1778,9 @@ def _stiffness(report: Report) -> list[Table]:
     if len(report.cases) > 1:
         names = ("xx", "yy", "zz", "ryry", "rzrz")
         rows = [
-            _Row(
-                said("stiffness {axes}", axes=name),
-                f"analysis.stiffness.{at}.{at}",
-                ".4 N/µm" if at < 3 else ".4 N·m/mrad",
-            )
-            for at, name in enumerate(names)
+            _stiffness_row(said("stiffness {axes}", axes=name), at) for at, name in enumerate(names)
         ]
-        tables += _tables(report, [("", rows)], "diagonal", caption=said("Diagonal"))
+        tables += tables_of(report.cases, [("", rows)], "diagonal", caption=said("Diagonal"))
     for case in report.cases:
         if case.converged:
             found = stiffness_section(case.analysis.solved).blocks[0]
@@ -1928,10 +1799,7 @@ def _distributions(report: Report) -> list[Block]:
     return [
         block
         for case in report.cases
-        for block in (
-            *([Title(said("case {name}", name=case.name))] if len(report.cases) > 1 else []),
-            *_distribution(report, case).blocks,
-        )
+        for block in (*_named(report, case), *_distribution(report, case).blocks)
     ]
 
 
@@ -2008,26 +1876,20 @@ def _validity(report: Report) -> list[Section]:
             if many
             else said("Limits of the models")
         )
-        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", level=3))
+        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", 3))
     life = _life_validity(report)
     if life:
-        sections.append(Section(said("Theories of life"), life, "life_validity", level=3))
+        sections.append(Section(said("Theories of life"), life, "life_validity", 3))
     friction = _friction_validity(report)
     if friction:
-        sections.append(Section(said("Models of friction"), friction, "friction_validity", level=3))
+        sections.append(Section(said("Models of friction"), friction, "friction_validity", 3))
     return sections
 
 
 def _check_table(case: CaseReport) -> Table:
     checks = [check for check in case.checks if check.name in _CHECKS]
     forms = [_CHECKS[check.name][1] for check in checks]
-    units = {
-        "pressure": "MPa",
-        "line_pressure": "MPa",
-        "tilt": "°",
-        "misalignment": "mrad",
-        "speed": "10⁶ mm·rpm",
-    }
+    units = [form.partition("[")[2].rstrip("]") for form in forms]
 
     def column(name: str, head: str) -> Column:
         values: list[CellContent] = []
@@ -2035,36 +1897,29 @@ def _check_table(case: CaseReport) -> Table:
             value = getattr(check, name)
             own = None if value is None or (name == "least" and check.low is None) else value
             values.append(None if own is None else Number(float(own), form))
-        return Column(head=head, values=values, key=name, align="right")
+        return Column(head, values, name, align="right")
 
     columns = (
-        Column(
-            head=said("limit"),
-            values=[said(_CHECKS[check.name][0]) for check in checks],
-            key="limit",
-        ),
-        Column(
-            head=said("unit"), values=[units.get(c.name, "") for c in checks], key="unit",
-            tone="faint",
-        ),
+        Column(said("limit"), [said(_CHECKS[check.name][0]) for check in checks], "limit"),
+        Column(said("unit"), units, "unit", tone="faint"),
         column("low", said("lower limit")),
         column("high", said("upper limit")),
         column("least", said("minimum here")),
         column("greatest", said("maximum here")),
         Column(
-            head=said("within limits"),
-            values=[said("yes") if check.met else said("no") for check in checks],
-            key="met",
+            said("within limits"),
+            [said("yes") if check.met else said("no") for check in checks],
+            "met",
             tones=["good" if check.met else "warning" for check in checks],
         ),
         Column(
-            head="path",
-            values=[f"checks.{case.checks.index(check)}" for check in checks],
-            key="path",
+            "path",
+            [f"checks.{case.checks.index(check)}" for check in checks],
+            "path",
             only_in_files=True,
         ),
-    )  # fmt: skip
-    return Table(columns=columns, key=f"limits_{case.name}", rule=True)
+    )
+    return Table(columns, f"limits_{case.name}", rule=True)
 
 
 def _life_validity(report: Report) -> tuple[Table, ...]:
@@ -2127,18 +1982,18 @@ def _verdict_table(
     if not rows:
         return ()
     many = len(report.cases) > 1
-    columns = [Column(head=head, values=list(rows), key=head)]
+    columns = [Column(head, list(rows), head)]
     for index, case in enumerate(report.cases):
         texts, tones = zip(*(own[index] for own in verdicts), strict=True)
         columns.append(
             Column(
-                head=said("case {name}", name=case.name) if many else said("valid here"),
-                values=texts,
-                key=case.name,
+                said("case {name}", name=case.name) if many else said("valid here"),
+                texts,
+                case.name,
                 tones=tones,
             )
         )
-    return (Table(columns=tuple(columns), key=key, rule=True),)
+    return (Table(tuple(columns), key, rule=True),)
 
 
 def _references(cases: Iterable[CaseReport]) -> tuple[Statement, ...]:

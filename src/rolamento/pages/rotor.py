@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
@@ -29,8 +30,6 @@ from rolamento.words.reasons import reason
 from rolamento.words.whirl import whirl_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.solved.rotor import UnbalanceResponse
     from rolamento.tasks.rotor import MachineVibration
 
@@ -51,11 +50,11 @@ def vibration_page(found: MachineVibration) -> Document:
     """
     title = found.machine.title or said("Machine without a title")
     sections = [
-        Section("", (Title(title), _given(found)), key="given"),
-        Section(said("Critical speeds"), (*_headline(found), *_critical(found)), key="critical"),
+        Section("", (Title(title), _given(found)), "given"),
+        Section(said("Critical speeds"), (*_headline(found), *_critical(found)), "critical"),
         _modes(found),
         *_response(found),
-        Section("", (_every_speed(found),), key="speeds"),
+        Section("", (_every_speed(found),), "speeds"),
         *notes_section(dict.fromkeys((*found.modes.notes, *found.campbell.notes))),
     ]
     return Document(title, tuple(sections), kind="machine_vibration", main="modes")
@@ -73,12 +72,8 @@ def _given(found: MachineVibration) -> KeyValues:
         names = dict.fromkeys(found.campbell.status[lost].tolist())
         why = ", ".join(reason(str(name)) for name in names)
         entries.append(
-            Entry(
-                said("status"),
-                said("✗ {count} of {all} speeds have no equilibrium: {why}",
-                     count=int(lost.sum()), all=len(lost), why=why),
-                "bad-strong",
-            )
+            Entry(said("status"), said("✗ {count} of {all} speeds have no equilibrium: {why}",
+                     count=int(lost.sum()), all=len(lost), why=why), "bad-strong")
         )  # fmt: skip
     return KeyValues(tuple(entries))
 
@@ -105,53 +100,44 @@ def _headline(found: MachineVibration) -> Iterable[Statement | NotesBlock]:
 
 
 def _critical(found: MachineVibration) -> tuple[Figure | Table, ...]:
-    def draw() -> Picture:
-        from rolamento.plots.machine import campbell_figure
-
-        return campbell_figure(found.campbell)
 
     caption = said("Natural frequencies over speed, each speed with its own operating point")
-    figure = Figure(caption=caption, draw=draw, key="campbell")
+    figure = Figure(caption, lambda: plots.campbell_figure(found.campbell), "campbell")
     critical = found.campbell.critical
     if not critical:
         return (figure,)
     columns = (
-        Column(head=said("order"), values=[one.order for one in critical], key="order", most=4),
-        Column(head=said("speed"), unit="rpm", key="speed", figures=5,
-               values=[one.speed for one in critical]),
-        Column(head="Hz", values=[one.frequency * _HERTZ for one in critical], key="hertz",
-               figures=5),
-        Column(head=said("motion"), values=[whirl_name(one.whirl) for one in critical],
-               key="whirl"),
-        Column(head=said("from the operating\nspeed"), key="apart", align="right",
-               form="+.3 %", values=[one.speed / found.speed - 1.0 for one in critical]),
-    )  # fmt: skip
+        Column(said("order"), [one.order for one in critical], "order", most=4),
+        Column(said("speed"), [one.speed for one in critical], "speed", "rpm", figures=5),
+        Column("Hz", [one.frequency * _HERTZ for one in critical], "hertz", figures=5),
+        Column(said("motion"), [whirl_name(one.whirl) for one in critical], "whirl"),
+        Column(
+            said("from the operating\nspeed"),
+            [one.speed / found.speed - 1.0 for one in critical],
+            "apart",
+            align="right",
+            form="+.3 %",
+        ),
+    )
     legends = (said("unbalance excites order 1: forward whirl and motion along a line"),)
-    return figure, Table(columns=columns, key="critical", legends=legends)
+    return figure, Table(columns, "critical", legends=legends)
 
 
 def _modes(found: MachineVibration) -> Section:
     modes = found.modes
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import modes_figure
-
-        return modes_figure(modes)
-
     columns = [
-        Column(head=said("mode"), values=list(range(1, len(modes) + 1)), key="mode"),
-        Column(head="Hz", key="hertz", figures=5, values=(modes.frequency * _HERTZ).tolist()),
-        Column(head="", unit="rpm", key="rpm", figures=5, values=modes.frequency.tolist()),
-        Column(head=said("motion"), key="whirl",
-               values=[whirl_name(str(one)) for one in modes.whirl]),
-    ]  # fmt: skip
+        Column(said("mode"), list(range(1, len(modes) + 1)), "mode"),
+        Column("Hz", (modes.frequency * _HERTZ).tolist(), "hertz", figures=5),
+        Column("", modes.frequency.tolist(), "rpm", "rpm", figures=5),
+        Column(said("motion"), [whirl_name(str(one)) for one in modes.whirl], "whirl"),
+    ]
     if np.any(np.abs(modes.damping_ratio) > _SHOWN):
-        damping = Column(head="ζ", key="damping_ratio", most=4,
-                         values=modes.damping_ratio.tolist())  # fmt: skip
+        damping = Column("ζ", modes.damping_ratio.tolist(), "damping_ratio", most=4)
         columns.append(damping)
     heading = said("Natural frequencies at the operating point")
-    figure = Figure(caption=said("Mode shapes"), draw=draw, key="modes")
-    return Section(heading, (Table(columns=tuple(columns), key="modes"), figure), key="modes")
+    figure = Figure(said("Mode shapes"), lambda: plots.modes_figure(modes), "modes")
+    return Section(heading, (Table(tuple(columns), "modes"), figure), "modes")
 
 
 def _response(found: MachineVibration) -> list[Section]:
@@ -159,19 +145,11 @@ def _response(found: MachineVibration) -> list[Section]:
     if response is None:
         return []
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import response_figure
-
-        return response_figure(response)
-
     places = {name: response.amplitude(name) for name in response.displacement}
     lines = [_peak(response, values.max(axis=1), found.speed) for values in places.values()]
     shafts = Table(
-        columns=(
-            Column(head=said("shaft"), values=list(places), key="shaft"),
-            *_peaks(lines, "µm"),
-        ),
-        key="unbalance_shafts",
+        (Column(said("shaft"), list(places), "shaft"), *_peaks(lines, "µm")),
+        "unbalance_shafts",
         legends=(
             said(
                 "semi-major axis of the orbit, where it is greatest along the shaft; at the speeds"
@@ -182,16 +160,13 @@ def _response(found: MachineVibration) -> list[Section]:
     lines = [_peak(response, response.force_amplitude(name), found.speed)
              for name in response.force]  # fmt: skip
     bearings = Table(
-        columns=(
-            Column(head=said("bearing"), values=list(response.force), key="bearing"),
-            *_peaks(lines, "N"),
-        ),
-        key="unbalance_bearings",
+        (Column(said("bearing"), list(response.force), "bearing"), *_peaks(lines, "N")),
+        "unbalance_bearings",
         legends=(said("greatest radial force in a turn, besides what the bearing carries"),),
     )
     caption = said("Response to unbalance over speed")
-    figure = Figure(caption=caption, draw=draw, key="unbalance")
-    return [Section(said("Response to unbalance"), (figure, shafts, bearings), key="unbalance")]
+    figure = Figure(caption, lambda: plots.response_figure(response), "unbalance")
+    return [Section(said("Response to unbalance"), (figure, shafts, bearings), "unbalance")]
 
 
 def _peak(
@@ -209,7 +184,7 @@ def _peak(
 def _peaks(lines: list[tuple[float, float, float]], unit: str) -> tuple[Column, ...]:
     def column(head: str, key: str, unit: str, place: int) -> Column:
         values = finite_cells(one[place] for one in lines)
-        return Column(head=head, values=values, unit=unit, key=key, figures=4)
+        return Column(head, values, key, unit, figures=4)
 
     return (
         column(said("at operating\nspeed"), "at_operating_speed", unit, 0),
@@ -228,10 +203,10 @@ def _every_speed(found: MachineVibration) -> Table:
         return finite_cells(values.ravel().tolist())
 
     columns = (
-        Column(head="speed", unit="rpm", values=numbers(speed), key="speed"),
-        Column(head="branch", values=branch.ravel().tolist(), key="branch"),
-        Column(head="Hz", values=numbers(diagram.frequency * _HERTZ), key="hertz"),
-        Column(head="damping_ratio", values=numbers(diagram.damping_ratio), key="damping_ratio"),
-        Column(head="whirl", values=diagram.whirl.ravel().tolist(), key="whirl"),
+        Column("speed", numbers(speed), "speed", "rpm"),
+        Column("branch", branch.ravel().tolist(), "branch"),
+        Column("Hz", numbers(diagram.frequency * _HERTZ), "hertz"),
+        Column("damping_ratio", numbers(diagram.damping_ratio), "damping_ratio"),
+        Column("whirl", diagram.whirl.ravel().tolist(), "whirl"),
     )
-    return Table(columns=columns, key="campbell", only_in_files=True)
+    return Table(columns, "campbell", only_in_files=True)

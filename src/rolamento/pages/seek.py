@@ -13,7 +13,7 @@ from rolamento.charts.curve_charts import curve_chart
 from rolamento.charts.texts import capitalised
 from rolamento.document import Column, Document, Figure, Section, Statement, Table, Title, Tone
 from rolamento.pages.across import field_column, read_text
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.pages.notes import cautions
 from rolamento.words import ABSENT, UNITS, manner, said
 
@@ -37,7 +37,7 @@ def seek_page(found: Goal) -> Document:
         Of `rolamento.tasks.seek.GoalSeek`.
     """
     case = found.curve.case
-    title = case.title or untitled(case)
+    title = title_of(case)
     tone: Tone = "good-strong" if found.found else "warning-strong"
     statements = [Statement(seek_statement(found), tone)]
     for at in found.jumps:
@@ -49,10 +49,10 @@ def seek_page(found: Goal) -> Document:
         statements.append(Statement(text, "warning"))
     if found.curve.present is not None:
         statements.append(Statement(_now(found), "faint"))
-    head = Section("", (*statements, *cautions(found.notes), Title(title)), key="verdict")
+    head = Section("", (*statements, *cautions(found.notes), Title(title)), "verdict")
     caption = said("{output} over {field}", output=found.output.label, field=found.field.label)
-    figure = Figure(caption=caption, draw=lambda: seek_picture(found), key="curve")
-    table = Section("", (figure, _table(found)), key="curve")
+    figure = Figure(caption, lambda: seek_picture(found), "curve")
+    table = Section("", (figure, _table(found)), "curve")
     return Document(title, (head, table), kind="seek", main="curve")
 
 
@@ -125,14 +125,14 @@ def _table(found: Goal) -> Table:
     tones: list[Tone] = ["good-strong" if place >= len(curve.values) else "" for place in order]
     shown = [float(one) if np.isfinite(one) else ABSENT for one in numbers[order]]
     column = Column(
-        head=found.output.label,
-        values=shown,
-        unit=unit.symbol if unit.symbol in UNITS else "",
-        key=found.output.name,
+        found.output.label,
+        shown,
+        found.output.name,
+        unit.symbol if unit.symbol in UNITS else "",
         figures=4,
         tones=tones,
     )
-    return Table(columns=(field_column(found.field, values[order]), column), key="curve")
+    return Table((field_column(found.field, values[order]), column), "curve")
 
 
 def _now(found: Goal) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import isfinite, isinf
 from typing import TYPE_CHECKING
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
@@ -18,16 +19,14 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, notes_section, remarks_of
+from rolamento.pages.given import case_page, head
+from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.naming import listed
 from rolamento.words.sentences.service_life import BASES, ENDING_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.endings import Ending
     from rolamento.tasks.time_line import ServiceLife
 
@@ -45,28 +44,24 @@ def service_life_page(found: ServiceLife) -> Document:
         What `rolamento.tasks.service_life` gives.
     """
     solved = found.solved
-    title = solved.title or untitled(solved.case)
-    blocks = (*service_life_statement(found), *cautions((*found.notes, *solved.notes[0])))
-    sections = [head(solved), Section(said("What ends it first"), blocks, key="first")]
+    notes = (*found.notes, *solved.notes[0])
+    blocks = (*service_life_statement(found), *cautions(notes))
+    sections = [Section(said("What ends it first"), blocks, "first")]
     if found.endings:
-        sections += [endings_section(found), Section("", (time_line(found),), key="figure")]
-    sections += notes_section(remarks_of((*found.notes, *solved.notes[0])))
-    return Document(title, tuple(sections), kind="service_life", main="endings")
+        sections += [endings_section(found), Section("", (time_line(found),), "figure")]
+    remarks = remarks_of(notes)
+    return case_page(
+        solved.case, head(solved), sections, "service_life", "endings", remarks=remarks
+    )
 
 
 def time_line(found: ServiceLife) -> Figure:
     """Return the picture of all endings on one time line."""
     return Figure(
-        caption=said("What ends it, on one time line"),
-        draw=lambda: _picture(found),
-        key="service_life",
+        said("What ends it, on one time line"),
+        lambda: plots.service_life_figure(found),
+        "service_life",
     )
-
-
-def _picture(found: ServiceLife) -> Picture:
-    from rolamento.plots.service_life import service_life_figure
-
-    return service_life_figure(found)
 
 
 def service_life_statement(found: ServiceLife) -> Iterator[Block]:
@@ -140,30 +135,26 @@ def endings_section(found: ServiceLife) -> Section:
     tones: list[Tone] = ["strong" if one is found.first else "" for one in ordered]
     columns = [
         Column(
-            head="", values=["▸" if one is found.first else "" for one in ordered], key="first",
-            tone="good-strong",
+            "", ["▸" if one is found.first else "" for one in ordered], "first", tone="good-strong"
         ),
-        Column(
-            head="", values=[said(ENDING_NAMES[one.name]) for one in ordered], key="ending",
-            tones=tones,
-        ),
-    ]  # fmt: skip
+        Column("", [said(ENDING_NAMES[one.name]) for one in ordered], "ending", tones=tones),
+    ]
     for key, text in (("hours", said("10 %")), ("low", said("from")), ("high", said("to"))):
         values: list[CellContent] = [_hours(getattr(one, key)) for one in ordered]
-        columns.append(
-            Column(head=text, values=values, unit="h", key=key, align="right", tones=tones)
-        )
+        columns.append(Column(text, values, key, "h", align="right", tones=tones))
     columns.append(
         Column(
-            head="", values=[said(BASES[one.basis]) if one.basis else "" for one in ordered],
-            key="basis", tone="faint",
+            "",
+            [said(BASES[one.basis]) if one.basis else "" for one in ordered],
+            "basis",
+            tone="faint",
         )
-    )  # fmt: skip
+    )
     legend = said(
         "10 % of such bearings have ended by then; from 1 % to half of them, by all laws together"
     )
-    table = Table(columns=tuple(columns), key="endings", legends=(legend,), rule=True, fixed=2)
-    return Section(said("All endings"), (table,), key="endings")
+    table = Table(tuple(columns), "endings", legends=(legend,), rule=True, fixed=2)
+    return Section(said("All endings"), (table,), "endings")
 
 
 def _hours(value: float) -> Number:

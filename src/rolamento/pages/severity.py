@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
@@ -61,8 +62,8 @@ def severity_page(found: SeverityResult) -> Document:
         title = said("Severity of vibration: {name}", name=one_line(found.measured[0].title))
     leading, notes = about([(one.title, one.notes) for one in found.measured], found.notes)
     sections = [
-        Section("", (*_statements(found), *_growth(found), *leading), key="verdict"),
-        Section("", (Title(title), KeyValues(_facts(found))), key="given"),
+        Section("", (*_statements(found), *_growth(found), *leading), "verdict"),
+        Section("", (Title(title), KeyValues(_facts(found))), "given"),
         _signals(found),
         _classes(found),
     ]
@@ -70,7 +71,7 @@ def severity_page(found: SeverityResult) -> Document:
         time = (found.time_unit, found.start)
         growth = _growth(found)
         sections.append(limit_section([("", found.forecast)], "mm/s", *time, leading=growth))
-    sections += [*notes, Section("", (_figure(found),), key="figures")]
+    sections += [*notes, Section("", (_figure(found),), "figures")]
     return Document(title, tuple(sections), kind="severity", main="signals")
 
 
@@ -185,36 +186,28 @@ def _signals(found: SeverityResult) -> Section:
     signals = [one.severity for one in found.measured]
     columns = [
         Column(
-            head=said("signal"),
-            values=[one_line(one.title, _LONGEST_NAME) for one in found.measured],
-            key="signal",
+            said("signal"), [one_line(one.title, _LONGEST_NAME) for one in found.measured], "signal"
         ),
         *_time_columns(found),
+        Column("RMS", [one.velocity for one in signals], "velocity", "mm/s", form=".3 [mm/s]"),
+        Column(said("from"), [one.lower for one in signals], "lower", "mm/s", form=".3 [mm/s]"),
+        Column(said("to"), [one.upper for one in signals], "upper", "mm/s", form=".3 [mm/s]"),
         Column(
-            head="RMS", values=[one.velocity for one in signals], unit="mm/s", key="velocity",
-            form=".3 [mm/s]",
+            said("displacement"),
+            [one.displacement for one in signals],
+            "displacement",
+            "µm",
+            form=".3 [µm]",
         ),
-        Column(
-            head=said("from"), values=[one.lower for one in signals], unit="mm/s", key="lower",
-            form=".3 [mm/s]",
-        ),
-        Column(
-            head=said("to"), values=[one.upper for one in signals], unit="mm/s", key="upper",
-            form=".3 [mm/s]",
-        ),
-        Column(
-            head=said("displacement"), values=[one.displacement for one in signals], unit="µm",
-            key="displacement", form=".3 [µm]",
-        ),
-    ]  # fmt: skip
+    ]
     if found.machine is not None:
         zones = [found.zone_of(one, found.machine) for one in found.measured]
         columns.append(
             Column(
-                head=said("zone"),
-                values=[zone or ABSENT for zone in zones],
+                said("zone"),
+                [zone or ABSENT for zone in zones],
+                "zone",
                 tones=[_TONES[zone] if zone else "" for zone in zones],
-                key="zone",
             )
         )
     legend = said(
@@ -222,18 +215,18 @@ def _signals(found: SeverityResult) -> Section:
         " the segments of the record differ. Displacement: RMS in the same band.",
         confidence=signals[0].confidence,
     )
-    table = Table(columns=tuple(columns), key="signals", legends=(legend,))
-    return Section(said("Signals"), (table,), key="signals")
+    table = Table(tuple(columns), "signals", legends=(legend,))
+    return Section(said("Signals"), (table,), "signals")
 
 
 def _time_columns(found: SeverityResult) -> Iterator[Column]:
     """Dates or running hours, if they are given."""
     if found.start:
         dates = [found.date_of(one) for one in found.measured]
-        yield Column(head=said("date"), values=dates, key="date")
+        yield Column(said("date"), dates, "date")
     elif any(isfinite(one.hours) for one in found.measured):
         times = [HOUR * one.hours for one in found.measured]
-        yield Column(head=said("time"), values=times, unit="h", form=".6 [h]", key="hours")
+        yield Column(said("time"), times, "hours", "h", form=".6 [h]")
 
 
 def _classes(found: SeverityResult) -> Section:
@@ -243,42 +236,39 @@ def _classes(found: SeverityResult) -> Section:
     with_displacement = any(machine.displacement for machine in found.classes)
     columns = [
         Column(
-            head=said("standard"),
-            values=[machine.standard for machine in found.classes],
-            key="standard",
-            once=True,
+            said("standard"), [machine.standard for machine in found.classes], "standard", once=True
         ),
         Column(
-            head=said("class of machines"),
-            values=[class_name(machine.name) for machine in found.classes],
-            key="class",
+            said("class of machines"),
+            [class_name(machine.name) for machine in found.classes],
+            "class",
         ),
         *(
             Column(
-                head=edge,
-                values=[machine.velocity[place] for machine in found.classes],
-                unit="mm/s",
+                edge,
+                [machine.velocity[place] for machine in found.classes],
+                edge,
+                "mm/s",
                 form=".3 [mm/s]",
-                key=edge,
             )
             for place, edge in enumerate(edges)
         ),
         *(
             Column(
-                head=edge,
-                values=[_edge(machine.displacement, place) for machine in found.classes],
-                unit="µm",
+                edge,
+                [_edge(machine.displacement, place) for machine in found.classes],
+                f"displacement {edge}",
+                "µm",
                 form=".3 [µm]",
-                key=f"displacement {edge}",
             )
             for place, edge in enumerate(edges)
             if with_displacement
         ),
         Column(
-            head=said("zone"),
-            values=[zone or ABSENT for zone in zones],
+            said("zone"),
+            [zone or ABSENT for zone in zones],
+            "zone",
             tones=[_TONES[zone] if zone else "" for zone in zones],
-            key="zone",
         ),
     ]
     sources = dict.fromkeys(machine.source for machine in found.classes)
@@ -292,8 +282,8 @@ def _classes(found: SeverityResult) -> Section:
                 " copy of the standard."
             )
         )
-    table = Table(columns=tuple(columns), key="classes", legends=tuple(legends), fixed=2)
-    return Section(said("Zones"), (table,), key="zones")
+    table = Table(tuple(columns), "classes", legends=tuple(legends), fixed=2)
+    return Section(said("Zones"), (table,), "zones")
 
 
 def _edge(edges: tuple[float, ...], place: int) -> CellContent:
@@ -302,38 +292,27 @@ def _edge(edges: tuple[float, ...], place: int) -> CellContent:
 
 def _figure(found: SeverityResult) -> Figure:
     if found.forecast is not None:
-
-        def draw_trend() -> Picture:
-            return trend_picture(found)
-
-        return Figure(
-            caption=said("Velocity over time, on the zones"), draw=draw_trend, key="trend"
-        )
-
-    def draw() -> Picture:
-        return zones_picture(found)
-
-    return Figure(caption=said("Measured velocity on the zones"), draw=draw, key="zones")
+        caption = said("Velocity over time, on the zones")
+        return Figure(caption, lambda: trend_picture(found), "trend")
+    return Figure(said("Measured velocity on the zones"), lambda: zones_picture(found), "zones")
 
 
 def zones_picture(found: SeverityResult) -> Picture:
     """Draw the velocities on the zones."""
-    from rolamento.plots.severity import severity_figure
-
     measured = [(one.title, one.severity) for one in found.measured]
-    return severity_figure(measured, found.classes, setting=found.setting)
+    figure: Picture = plots.severity_figure(measured, found.classes, setting=found.setting)
+    return figure
 
 
 def trend_picture(found: SeverityResult) -> Picture:
     """Draw the velocity over time."""
-    from rolamento.plots.severity import severity_trend_figure
-
     assert found.forecast is not None
     series: list[MeasuredSeverity] = [one for one in found.measured if one.severity.measured]
-    return severity_trend_figure(
+    figure: Picture = plots.severity_trend_figure(
         [one.hours / found.time_scale for one in series],
         [1e3 * one.severity.velocity for one in series],
         found.forecast,
         found.machine,
         start=found.start,
     )
+    return figure

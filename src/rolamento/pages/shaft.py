@@ -51,9 +51,9 @@ def shaft_page(found: ShaftLife, names: Sequence[str]) -> Document:
         Of the bearings: their titles, or files.
     """
     heading = said("Life of {count} bearings on one shaft", count=len(found))
-    sections = [Section(heading, _statement(found), key="life")]
+    sections = [Section(heading, _statement(found), "life")]
     if found.theories:
-        sections.append(Section("", (_table(found, names), *_remarks(found)), key="bearings"))
+        sections.append(Section("", (_table(found, names), *_remarks(found)), "bearings"))
     return Document(heading, tuple(sections), kind="shaft_life")
 
 
@@ -166,24 +166,20 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
     tones: list[Tone] = [""] * len(names)
     tones.append("strong")
     columns = [
+        Column("", [*range(1, len(found) + 1), ""], "number", tone="faint", align="right"),
         Column(
-            head="", values=[*range(1, len(found) + 1), ""], key="number", tone="faint",
-            align="right",
-        ),
-        Column(
-            head="",
-            values=[*(shortened(name, _LONGEST_NAME) for name in names), said("together")],
-            key="bearing",
+            "",
+            [*(shortened(name, _LONGEST_NAME) for name in names), said("together")],
+            "bearing",
             tones=tones,
         ),
         *(_hours_column(found, name) for name in order),
-    ]  # fmt: skip
+    ]
     risk = [_share(float(share)) for share in found.headline.risk]
     columns.insert(
         2 + sum(THEORIES[name].standard for name in order),
-        Column(head=said("failure\nshare"), values=[*risk, ""], unit="%",
-               key="failure_share", align="right"),
-    )  # fmt: skip
+        Column(said("failure\nshare"), [*risk, ""], "failure_share", "%", align="right"),
+    )
     first = 3 + sum(THEORIES[name].standard for name in order)
     values = {"reliability": found.reliability, "theory": _theories(found.headline)}
     if _elements(found) <= {"ball"}:
@@ -201,8 +197,8 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
             **values,
         )
     return Table(
-        columns=tuple(columns),
-        key="bearings",
+        tuple(columns),
+        "bearings",
         legends=(legend,),
         fixed=2,
         breaks=(Break(first, ""),) if first < len(columns) else (),
@@ -237,7 +233,7 @@ def _hours_column(found: ShaftLife, name: str) -> Column:
         tones.append("" if held and not bound else "warning")
     tones[-1] = "strong"
     head = "\n".join(f"{word} " for word in theory_heads(name))
-    return Column(head=head, values=values, unit="h", key=name, tones=tones, align="right")
+    return Column(head, values, name, "h", tones=tones, align="right")
 
 
 def _elements(found: ShaftLife) -> set[str]:

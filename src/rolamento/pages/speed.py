@@ -44,7 +44,7 @@ def speed_page(found: SpeedLimits) -> Document:
         What `rolamento.tasks.speed.speed_limits` gives.
     """
     title = found.title or said("Limiting speeds")
-    sections = [Section("", (Title(title),), key="head"), *cautions_section(found.notes)]
+    sections = [Section("", (Title(title),), "head"), *cautions_section(found.notes)]
     sections.append(_given(found))
     if found.limits:
         sections.append(_limits(found))
@@ -62,7 +62,7 @@ def speed_page(found: SpeedLimits) -> Document:
                       " control.", slip=-slip)
         )  # fmt: skip
         blocks = (Statement(text, indent=2),)
-        sections.append(Section(said("Slip of the cage"), blocks, key="cage_slip"))
+        sections.append(Section(said("Slip of the cage"), blocks, "cage_slip"))
     sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="speed")
 
@@ -102,37 +102,27 @@ def _given(found: SpeedLimits) -> Section:
             "{lubricant:.3}, {load:.3}",
             lubricant=found.shares.lubricant, load=found.shares.load,
         )))  # fmt: skip
-    return Section(said("Bearing"), (KeyValues(tuple(entries), indent=2),), key="bearing")
+    return Section(said("Bearing"), (KeyValues(tuple(entries), 2),), "bearing")
 
 
 def _limits(found: SpeedLimits) -> Section:
     limits = found.limits
     tones = [_tone(limit) for limit in limits]
     columns = [
+        Column("", [said(LIMIT_NAMES[one.name]) for one in limits], "limit", tones=tones),
+        Column("n", [one.speed for one in limits], "speed", "rpm", figures=4, tones=tones),
         Column(
-            head="", values=[said(LIMIT_NAMES[one.name]) for one in limits], key="limit",
+            "n·d_m",
+            [1e-3 * _RPM * one.speed * found.mean_diameter for one in limits],
+            "n_dm",
+            figures=4,
             tones=tones,
         ),
-        Column(
-            head="n", values=[one.speed for one in limits], unit="rpm", key="speed", figures=4,
-            tones=tones,
-        ),
-        Column(
-            head="n·d_m", values=[1e-3 * _RPM * one.speed * found.mean_diameter for one in limits],
-            key="n_dm", figures=4, tones=tones,
-        ),
-    ]  # fmt: skip
+    ]
     if found.speed:
         shares = [one.share for one in limits]
         columns.append(
-            Column(
-                head=said_in("speed", "share"),
-                values=shares,
-                unit="%",
-                key="share",
-                figures=3,
-                tones=tones,
-            )
+            Column(said_in("speed", "share"), shares, "share", "%", figures=3, tones=tones)
         )
     legend = said("n·d_m in million mm·rpm; share: the speed of the case over the limit")
     origins: dict[str, str] = {}
@@ -141,42 +131,36 @@ def _limits(found: SpeedLimits) -> Section:
         name = said(LIMIT_NAMES[one.name]) if thermal else said("limiting speeds")
         texts = (one.source.text, *(factor_text(*factor) for factor in one.factors))
         origins.setdefault(name, "; ".join(texts))
-    table = Table(columns=tuple(columns), key="limits", legends=(legend,), rule=True, fixed=1)
-    entries = tuple(Entry(f"{name}:", text, tone="faint") for name, text in origins.items())
-    block = KeyValues(entries, indent=2)
-    return Section(said("Limits of the speed"), (table, block), key="limits")
+    table = Table(tuple(columns), "limits", legends=(legend,), rule=True, fixed=1)
+    entries = tuple(Entry(f"{name}:", text, "faint") for name, text in origins.items())
+    block = KeyValues(entries, 2)
+    return Section(said("Limits of the speed"), (table, block), "limits")
 
 
 def _loads(loads: tuple[MinimumLoad, ...]) -> Section:
     tones: list[Tone] = ["" if one.enough or not one.given else "warning" for one in loads]
     columns = (
-        Column(head="", values=[said(_LOADS[one.name]) for one in loads], key="load", tones=tones),
+        Column("", [said(_LOADS[one.name]) for one in loads], "load", tones=tones),
+        Column(said("needed"), [one.load for one in loads], "needed", "N", figures=3, tones=tones),
         Column(
-            head=said("needed"), values=[one.load for one in loads], unit="N", key="needed",
-            figures=3, tones=tones,
+            said("of the case"), [one.given for one in loads], "given", "N", figures=4, tones=tones
         ),
-        Column(
-            head=said("of the case"), values=[one.given for one in loads], unit="N", key="given",
-            figures=4, tones=tones,
-        ),
-        Column(head=said("rule"), values=[one.source.text for one in loads], key="rule"),
-    )  # fmt: skip
-    table = Table(columns=columns, key="minimum_loads", rule=True, fixed=1)
-    return Section(said("Minimum load"), (table,), key="minimum_loads")
+        Column(said("rule"), [one.source.text for one in loads], "rule"),
+    )
+    table = Table(columns, "minimum_loads", rule=True, fixed=1)
+    return Section(said("Minimum load"), (table,), "minimum_loads")
 
 
 def _general(loads: tuple[MinimumLoad, ...]) -> Section:
     makers = [str(one.source.values["maker"]) for one in loads]
     columns = (
-        Column(head="", values=makers, key="maker"),
-        Column(head=said("needed"), values=[one.load for one in loads], unit="N", key="needed",
-               figures=3),
-        Column(head=said("of the case"), values=[one.given for one in loads], unit="N",
-               key="given", figures=4),
-        Column(head=said("rule"), values=[one.source.text for one in loads], key="rule"),
-    )  # fmt: skip
-    table = Table(columns=columns, key="general_loads", rule=True, fixed=1)
-    return Section(said("Makers' rules for all bearings"), (table,), key="general_loads")
+        Column("", makers, "maker"),
+        Column(said("needed"), [one.load for one in loads], "needed", "N", figures=3),
+        Column(said("of the case"), [one.given for one in loads], "given", "N", figures=4),
+        Column(said("rule"), [one.source.text for one in loads], "rule"),
+    )
+    table = Table(columns, "general_loads", rule=True, fixed=1)
+    return Section(said("Makers' rules for all bearings"), (table,), "general_loads")
 
 
 def _tone(limit: SpeedLimit) -> Tone:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.document import (
     Beside,
@@ -39,15 +40,13 @@ from rolamento.pages.elements import (
     roller_pictures,
     without_rounding,
 )
-from rolamento.pages.given import BOTH, facing, head, untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import BOTH, case_page, facing, head
+from rolamento.pages.notes import remarks_of
 from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
 from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, worded
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.analysis import Analysis
 
 __all__ = ["rosette", "state_page", "stiffness_section"]
@@ -68,9 +67,8 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     analysis
         What follows from it; film, friction and life are shown if it has them.
     """
-    sections: list[Section | Beside] = [head(solved)]
+    sections: list[Section | Beside] = []
     whole = (*solved.notes[0], *(() if analysis is None else analysis.notes))
-    sections += cautions_section(whole)
     notes = list(remarks_of(whole))
     if solved.converged[0]:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
@@ -79,9 +77,10 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
         sections += element_sections(solved)
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
-    sections += notes_section(notes)
     main = main_table(solved)
-    return Document(solved.title or untitled(solved.case), tuple(sections), kind="solve", main=main)
+    return case_page(
+        solved.case, head(solved), sections, "solve", main, cautions=whole, remarks=notes
+    )
 
 
 # --- the inner ring ----------------------------------------------------------------------------
@@ -99,26 +98,26 @@ def _ring(solved: Solved) -> Section:
     units = [("µm", "N")] * _SHIFTS + [("mrad", "N·m")] * (len(AXES) - _SHIFTS)
     known = [_known(solved.case.duty, *names) for names in zip(AXES, LOADS, strict=True)]
     columns = (
-        Column(head="", values=AXES, key="direction"),
+        Column("", AXES, "direction"),
         Column(
-            head=said("displacement"),
-            values=_alike(moved, [unit for unit, _ in units], (3, 4)),
-            key="displacement",
+            said("displacement"),
+            _alike(moved, [unit for unit, _ in units], (3, 4)),
+            "displacement",
             tones=["strong" if by_load else "" for _, by_load in known],
         ),
-        Column(head="", values=[unit for unit, _ in units], key="displacement_unit"),
-        Column(head="", values=[f" {load}" for load in LOADS], key="load_name"),
+        Column("", [unit for unit, _ in units], "displacement_unit"),
+        Column("", [f" {load}" for load in LOADS], "load_name"),
         Column(
-            head=said("load"),
-            values=_alike(loads, [unit for _, unit in units], (3, 4)),
-            key="load",
+            said("load"),
+            _alike(loads, [unit for _, unit in units], (3, 4)),
+            "load",
             tones=["" if by_load else "strong" for _, by_load in known],
         ),
-        Column(head="", values=[unit for _, unit in units], key="load_unit"),
-        Column(head="", values=[f" {text}" for text, _ in known], key="known", tone="faint"),
+        Column("", [unit for _, unit in units], "load_unit"),
+        Column("", [f" {text}" for text, _ in known], "known", tone="faint"),
     )
-    table = Table(columns=columns, key="ring", headless=True, gap=1)
-    return Section(said("Inner ring"), (table,), key="ring")
+    table = Table(columns, "ring", headless=True, gap=1)
+    return Section(said("Inner ring"), (table,), "ring")
 
 
 def _alike(
@@ -151,7 +150,7 @@ def stiffness_section(solved: Solved) -> Section:
     matrix = solved.stiffness.array[0].tolist()
     forces = ["N/µm"] * _SHIFTS + ["N/mrad"] * (len(AXES) - _SHIFTS)
     moments = ["N·m/mm"] * _SHIFTS + ["N·m/mrad"] * (len(AXES) - _SHIFTS)
-    columns = [Column(head="", values=["", *LOADS[:_SHIFTS], "", *LOADS[_SHIFTS:]], key="load")]
+    columns = [Column("", ["", *LOADS[:_SHIFTS], "", *LOADS[_SHIFTS:]], "load")]
     for j, axis in enumerate(AXES):
         units = [forces[j]] * _SHIFTS + [moments[j]] * (len(AXES) - _SHIFTS)
         values = [_without_noise(matrix, i, j) for i in range(len(AXES))]
@@ -159,15 +158,15 @@ def stiffness_section(solved: Solved) -> Section:
         tones: list[Tone] = ["strong" if i == j else "" for i in range(len(AXES))]
         columns.append(
             Column(
-                head=axis,
-                values=[forces[j], *cells[:_SHIFTS], moments[j], *cells[_SHIFTS:]],
-                key=axis,
+                axis,
+                [forces[j], *cells[:_SHIFTS], moments[j], *cells[_SHIFTS:]],
+                axis,
                 align="right",
                 tones=["faint", *tones[:_SHIFTS], "faint", *tones[_SHIFTS:]],
             )
         )
-    table = Table(columns=tuple(columns), gap=3)
-    return Section(said("Stiffness"), (table, _stiffness_file(matrix)), key="stiffness")
+    table = Table(tuple(columns), gap=3)
+    return Section(said("Stiffness"), (table, _stiffness_file(matrix)), "stiffness")
 
 
 def _stiffness_file(matrix: list[list[float]]) -> Table:
@@ -175,16 +174,13 @@ def _stiffness_file(matrix: list[list[float]]) -> Table:
     count = len(AXES) - _SHIFTS
     shift = ["N/µm"] * _SHIFTS + ["N·m/mm"] * count
     tilt = ["N/mrad"] * _SHIFTS + ["N·m/mrad"] * count
-    columns = [Column(head="load", values=LOADS, key="load")]
+    columns = [Column("load", LOADS, "load")]
     for j, axis in enumerate(AXES):
         units = shift if j < _SHIFTS else tilt
         values = [Number(_without_noise(matrix, i, j), f"[{unit}]") for i, unit in enumerate(units)]
-        columns.append(Column(head=axis, values=values, key=axis))
-    columns += [
-        Column(head="unit", values=shift, key="shift_unit"),
-        Column(head="unit", values=tilt, key="tilt_unit"),
-    ]
-    return Table(columns=tuple(columns), key="stiffness", only_in_files=True)
+        columns.append(Column(axis, values, axis))
+    columns += [Column("unit", shift, "shift_unit"), Column("unit", tilt, "tilt_unit")]
+    return Table(tuple(columns), "stiffness", only_in_files=True)
 
 
 def _without_noise(matrix: list[list[float]], row: int, column: int) -> float:
@@ -211,25 +207,18 @@ def rosette_section(solved: Solved) -> Section:
     count = len(solved.rows)
     heading = said("Load rosette") if count == 1 else said("Load rosettes")
     figure = Figure(
-        caption=worded(
+        worded(
             solved.rows.element,
             said("Ball loads round the bearing, seen from +x"),
             said("Roller loads round the bearing, seen from +x"),
             said("Loads of the rolling elements round the bearing, seen from +x"),
         ),
-        draw=lambda: _picture(solved),
-        key="rosette",
+        lambda: plots.load_rosette(solved),
+        "rosette",
         sketch=lambda width, draws: _sketch(solved, width, draws),
         width=count * (2 * _HEIGHT + len(_SIDE)) + (count - 1) * _GAP,
     )
-    return Section(heading, (figure,), key="rosette")
-
-
-def _picture(solved: Solved) -> Picture:
-    from rolamento.charts.frame import figure_of
-    from rolamento.plots.balls import load_rosette
-
-    return figure_of(load_rosette(solved))
+    return Section(heading, (figure,), "rosette")
 
 
 def _sketch(solved: Solved, width: int, draws: bool) -> Sketch:
@@ -379,36 +368,25 @@ def _rows(solved: Solved) -> Section:
         ),
     )
     columns = [
-        Column(head=said("row"), values=list(range(len(rows))), key="row"),
-        Column(head=said("faces"), values=faces, key="faces"),
-        Column(head="x", values=rows.position[0].tolist(), unit="mm", key="position", figures=5),
+        Column(said("row"), list(range(len(rows))), "row"),
+        Column(said("faces"), faces, "faces"),
+        Column("x", rows.position[0].tolist(), "position", "mm", figures=5),
         Column(
-            head=said("loaded"),
-            values=[f"{some}/{count}" for some, count in loaded],
-            key="loaded",
-            align="right",
+            said("loaded"), [f"{some}/{count}" for some, count in loaded], "loaded", align="right"
         ),
+        Column("Q_i", _maximum_by_row(solved, solved.inner.load[0]), "inner_load", "N", most=1),
         Column(
-            head="Q_i",
-            values=_maximum_by_row(solved, solved.inner.load[0]),
-            unit="N",
-            key="inner_load",
-            most=1,
-        ),
-        Column(
-            head="p_i",
-            values=_maximum_by_row(solved, solved.inner.max_pressure[0]),
-            unit="MPa",
-            key="inner_max_pressure",
+            "p_i",
+            _maximum_by_row(solved, solved.inner.max_pressure[0]),
+            "inner_max_pressure",
+            "MPa",
             most=1,
         ),
         *_taken(rows.load[0]),
     ]
     breaks = (Break(6, ""),)
-    table = Table(
-        columns=tuple(columns), key="rows", legends=(legend,), rule=True, fixed=1, breaks=breaks
-    )
-    return Section(said("Rows"), (table,), key="rows")
+    table = Table(tuple(columns), "rows", legends=(legend,), rule=True, fixed=1, breaks=breaks)
+    return Section(said("Rows"), (table,), "rows")
 
 
 def _taken(loads: FloatArray) -> list[Column]:
@@ -418,10 +396,10 @@ def _taken(loads: FloatArray) -> list[Column]:
         decimals = decimals_for(loads[:, first:end].ravel().tolist(), 4, 2)
         columns += [
             Column(
-                head=LOADS[index],
-                values=loads[:, index].tolist(),
-                unit=unit,
-                key=LOADS[index],
+                LOADS[index],
+                loads[:, index].tolist(),
+                LOADS[index],
+                unit,
                 figures=99,
                 most=decimals,
             )
@@ -446,8 +424,8 @@ def _preload(solved: Solved, preload: Preloading) -> Section:
         entries.append(Entry(said("at speed"), Number(preload.at_speed, ".4 N")))
     entries += [*_lift(solved, preload), *_loss(solved, preload)]
     stages = (stage_table(preload.stages),) if preload.stages else ()
-    block = (KeyValues(tuple(entries), indent=2, label_tone=""),) if entries else ()
-    return Section(said("Preload"), (*stages, *block), key="preload")
+    block = (KeyValues(tuple(entries), 2, label_tone=""),) if entries else ()
+    return Section(said("Preload"), (*stages, *block), "preload")
 
 
 def _lift(solved: Solved, preload: Preloading) -> list[Entry]:
@@ -489,11 +467,7 @@ def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
         loaded = any(getattr(duty.load, name) for name in LOADS)
         text = said("no row loses all contact as this load increases")
         return [Entry(label, text)] if loaded else []
-    values = {
-        "row": row,
-        "factor": factor,
-        "load": _resulting_load(duty, factor),
-    }
+    values = {"row": row, "factor": factor, "load": _resulting_load(duty, factor)}
     if factor < 1.0 or row in lost:
         text = said("row {row} has lifted off, at {factor:.3} × the load: {load}", **values)
         return [Entry(label, text, "warning-strong")]
@@ -536,7 +510,7 @@ def _rolling(solved: Solved) -> list[Section]:
         "spin-to-roll ratio, P power lost, v slip at the contact's centre along the orbit"
     )
     columns = (
-        Column(head="#", values=list(range(len(solved.elements.row))), key="ball"),
+        Column("#", list(range(len(solved.elements.row))), "ball"),
         column(solved, "ψ", "°", of_element("azimuth"), "azimuth", figures=5),
         column(solved, "β", "°", without_rounding(of_element("attitude")), "attitude"),
         column(solved, "β′", "°", without_rounding(of_element("yaw")), "yaw", figures=3, most=3),
@@ -553,8 +527,8 @@ def _rolling(solved: Solved) -> list[Section]:
             for race in RACES
         ),
     )
-    table = Table(columns=columns, key="rolling", legends=(legend,), rule=True)
-    facts = Section(said("Motion under friction"), (KeyValues(entries, indent=2),), key="rolling")
+    table = Table(columns, "rolling", legends=(legend,), rule=True)
+    facts = Section(said("Motion under friction"), (KeyValues(entries, 2),), "rolling")
     return [facts, Section("", (table,))]
 
 

@@ -20,8 +20,7 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head, race_name
 from rolamento.safety import rockwell_of_vickers
 from rolamento.solved import RACES
 from rolamento.words import ENDLESS, marked, said
@@ -34,7 +33,6 @@ if TYPE_CHECKING:
 
 __all__ = ["static_page", "static_sections"]
 
-_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
 _ALLOWED: Final = {
     "quiet": marked("mean pressure, has to run quietly afterwards"),
     "other": marked("mean pressure, need not run quietly"),
@@ -54,12 +52,8 @@ def static_page(found: StaticSafety) -> Document:
     """
     solved = found.solved
     notes = (*solved.notes[0], *found.notes)
-    sections = [head(solved), *cautions_section(notes)]
-    if solved.converged[0]:
-        sections += static_sections(found)
-    sections += notes_section(remarks_of(notes))
-    title = solved.title or untitled(solved.case)
-    return Document(title, tuple(sections), kind="static", main="static_safety")
+    sections = static_sections(found) if solved.converged[0] else []
+    return case_page(solved.case, head(solved), sections, "static", "static_safety", notes=notes)
 
 
 def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
@@ -73,8 +67,8 @@ def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
         Of their headings.
     """
     return [
-        Section(said("Static safety"), _headline(found), key="static", level=level),
-        Section("", (_contacts(found),), key="static_contacts", level=level),
+        Section(said("Static safety"), _headline(found), "static", level),
+        Section("", (_contacts(found),), "static_contacts", level),
         *_bearings(found, level),
         _recommended(found, level),
         _launch(found, level),
@@ -88,7 +82,7 @@ def _headline(found: StaticSafety) -> tuple[Block, ...]:
     row, race = _where(found)
     wanted = _wanted(found)
     tone: Tone = "" if wanted is None else "good" if lowest["stress"] >= wanted else "warning"
-    place = said(_RACES[race])
+    place = race_name(race)
     if len(found.limit) > 1:
         place = said("{race}, row {row}", race=place, row=row)
     entries = [
@@ -154,42 +148,36 @@ def _contacts(found: StaticSafety) -> Table:
     hardening = found.hardening
     columns = []
     if rows > 1:
-        columns.append(Column(head=said("row"), values=[row for row, _ in lines], key="row"))
+        columns.append(Column(said("row"), [row for row, _ in lines], "row"))
     columns += [
-        Column(head="", values=[said(_RACES[race]) for _, race in lines], key="race"),
+        Column("", [race_name(race) for _, race in lines], "race"),
         Column(
-            head="p",
-            values=[float(hardening[race].max_pressure[0, row]) for row, race in lines],
-            unit="MPa",
-            key="max_pressure",
+            "p",
+            [float(hardening[race].max_pressure[0, row]) for row, race in lines],
+            "max_pressure",
+            "MPa",
         ),
+        Column("p_lim", [float(found.limit[row]) for row, _ in lines], "pressure_limit", "MPa"),
         Column(
-            head="p_lim", values=[float(found.limit[row]) for row, _ in lines], unit="MPa",
-            key="pressure_limit",
-        ),
-        Column(
-            head="S_p",
-            values=[_safety_cell(float(found.of_rows(r, "stress")[0, row])) for row, r in lines],
-            key="safety_by_stress",
+            "S_p",
+            [_safety_cell(float(found.of_rows(r, "stress")[0, row])) for row, r in lines],
+            "safety_by_stress",
             align="right",
         ),
+        Column("Q_0", [float(found.load_limit[0, row]) for row, _ in lines], "load_limit", "N"),
         Column(
-            head="Q_0", values=[float(found.load_limit[0, row]) for row, _ in lines], unit="N",
-            key="load_limit",
-        ),
-        Column(
-            head="S_Q",
-            values=[_safety_cell(float(found.of_rows(r, "load")[0, row])) for row, r in lines],
-            key="safety_by_load",
+            "S_Q",
+            [_safety_cell(float(found.of_rows(r, "load")[0, row])) for row, r in lines],
+            "safety_by_load",
             align="right",
         ),
-    ]  # fmt: skip
+    ]
     legends = (
         said("p_lim maximum pressure under C_0 (ISO 76:2006); S_p by stress: (p_lim/p)³, of lines"
              " (p_lim/p)²"),
         said("Q_0 load of the contact with the most load under C_0; S_Q by load: Q_0/Q"),
     )  # fmt: skip
-    return Table(columns=tuple(columns), key="static_safety", legends=legends, rule=True)
+    return Table(tuple(columns), "static_safety", legends=legends, rule=True)
 
 
 def _bearings(found: StaticSafety, level: int) -> list[Section]:
@@ -199,22 +187,19 @@ def _bearings(found: StaticSafety, level: int) -> list[Section]:
     bearings = np.flatnonzero(known)
     columns = []
     if len(found.safety[0]) > 1:
-        columns.append(Column(head=said("bearing"), values=bearings.tolist(), key="bearing"))
+        columns.append(Column(said("bearing"), bearings.tolist(), "bearing"))
     columns += [
-        Column(head="C_0", values=found.rating[0][bearings].tolist(), unit="N", key="rating"),
+        Column("C_0", found.rating[0][bearings].tolist(), "rating", "N"),
+        Column("P_0", found.equivalent_load[0][bearings].tolist(), "equivalent_load", "N"),
         Column(
-            head="P_0", values=found.equivalent_load[0][bearings].tolist(), unit="N",
-            key="equivalent_load",
-        ),
-        Column(
-            head="S_0",
-            values=[_safety_cell(value) for value in found.safety[0][bearings].tolist()],
-            key="safety",
+            "S_0",
+            [_safety_cell(value) for value in found.safety[0][bearings].tolist()],
+            "safety",
             align="right",
         ),
-    ]  # fmt: skip
-    table = Table(columns=tuple(columns), key="static_bearings", rule=True)
-    return [Section(said("Bearing as a whole"), (table,), key="static_bearings", level=level)]
+    ]
+    table = Table(tuple(columns), "static_bearings", rule=True)
+    return [Section(said("Bearing as a whole"), (table,), "static_bearings", level)]
 
 
 def _recommended(found: StaticSafety, level: int) -> Section:
@@ -230,20 +215,17 @@ def _recommended(found: StaticSafety, level: int) -> Section:
         for one in ones
     ]
     columns = (
-        Column(head="", values=[one.maker for one in ones], key="maker"),
-        Column(head="S_0", values=values, key="safety", align="right"),
-        Column(head=said("source"), values=sources, key="source", tone="faint"),
+        Column("", [one.maker for one in ones], "maker"),
+        Column("S_0", values, "safety", align="right"),
+        Column(said("source"), sources, "source", tone="faint"),
     )
     text = said(
         "{operation}, {requirement}",
         operation=said(OPERATIONS[found.demands.operation]),
         requirement=said(REQUIREMENTS[found.demands.requirement]),
     )
-    blocks = (
-        Statement(text, indent=2),
-        Table(columns=columns, key="static_recommended", rule=True),
-    )
-    return Section(said("Recommended by makers"), blocks, key="static_recommended", level=level)
+    blocks = (Statement(text, indent=2), Table(columns, "static_recommended", rule=True))
+    return Section(said("Recommended by makers"), blocks, "static_recommended", level)
 
 
 def _launch(found: StaticSafety, level: int) -> Section:
@@ -258,27 +240,27 @@ def _launch(found: StaticSafety, level: int) -> Section:
             for one in ones
         ]
         columns = (
-            Column(head="", values=[said(_ALLOWED[one.key]) for one in ones], key="limit"),
-            Column(head=said("pressure"), values=pressures, unit="MPa", key="pressure"),
-            Column(head=said("allowable"), values=[one.pressure for one in ones], unit="MPa",
-                   key="allowable"),
-            Column(head="MoS", values=[Number(margin, "+.2f") for margin in margins], key="margin",
-                   align="right", tones=tones),
-        )  # fmt: skip
+            Column("", [said(_ALLOWED[one.key]) for one in ones], "limit"),
+            Column(said("pressure"), pressures, "pressure", "MPa"),
+            Column(said("allowable"), [one.pressure for one in ones], "allowable", "MPa"),
+            Column(
+                "MoS",
+                [Number(margin, "+.2f") for margin in margins],
+                "margin",
+                align="right",
+                tones=tones,
+            ),
+        )
         legends = [said("MoS margin of safety: allowable/pressure − 1")]
         if any(one.key != "own" for one in ones):
             legends.append(launch.source)
-        blocks.append(
-            Table(columns=columns, key="static_launch", legends=tuple(legends), rule=True)
-        )
+        blocks.append(Table(columns, "static_launch", legends=tuple(legends), rule=True))
     blocks += _gaps(found)
     if not blocks:
         text = said("No allowable pressure is on file for this ring material; give"
                     " static.allowable_pressure.")  # fmt: skip
         blocks.append(Statement(text, "faint", indent=2))
-    return Section(
-        said("Allowable pressure and gaps"), tuple(blocks), key="static_launch", level=level
-    )
+    return Section(said("Allowable pressure and gaps"), tuple(blocks), "static_launch", level)
 
 
 def _gaps(found: StaticSafety) -> list[Block]:
@@ -289,12 +271,12 @@ def _gaps(found: StaticSafety) -> list[Block]:
     gaps: Sequence[float] = launch.gap[0].tolist()
     lost = [said("yes") if one else said("no") for one in launch.lost[0].tolist()]
     columns = (
-        Column(head=said("row"), values=list(range(len(gaps))), key="row"),
-        Column(head=said("gap"), values=list(gaps), unit="µm", key="gap", figures=3),
-        Column(head=said("all contact lost"), values=lost, key="lost"),
+        Column(said("row"), list(range(len(gaps))), "row"),
+        Column(said("gap"), list(gaps), "gap", "µm", figures=3),
+        Column(said("all contact lost"), lost, "lost"),
     )
     legend = said("gap the maximum distance between a rolling element and its inner race")
-    blocks: list[Block] = [Table(columns=columns, key="static_gaps", legends=(legend,), rule=True)]
+    blocks: list[Block] = [Table(columns, "static_gaps", legends=(legend,), rule=True)]
     preload = solved.preload
     if preload is not None and preload.lift_factor is not None and isfinite(preload.lift_factor):
         text = said(
@@ -325,24 +307,20 @@ def _hardening(found: StaticSafety, level: int) -> Section:
     ]
     columns = []
     if len(found.limit) > 1:
-        columns.append(Column(head=said("row"), values=[row for row, _ in lines], key="row"))
+        columns.append(Column(said("row"), [row for row, _ in lines], "row"))
     columns += [
-        Column(head="", values=[said(_RACES[race]) for _, race in lines], key="race"),
-        Column(head="τ_max", values=column("shear"), unit="MPa", key="max_shear"),
-        Column(head=said("depth"), values=column("depth"), unit="mm", key="max_shear_depth",
-               figures=3, most=3),
-        Column(head="HV", values=hardness, key="hardness", figures=3),
-        Column(head="HRC", values=rockwell, key="rockwell", figures=3),
-        Column(head=said("case depth"), values=column("case_depth"), unit="mm", key="case_depth",
-               figures=3, most=3),
-    ]  # fmt: skip
+        Column("", [race_name(race) for _, race in lines], "race"),
+        Column("τ_max", column("shear"), "max_shear", "MPa"),
+        Column(said("depth"), column("depth"), "max_shear_depth", "mm", figures=3, most=3),
+        Column("HV", hardness, "hardness", figures=3),
+        Column("HRC", rockwell, "rockwell", figures=3),
+        Column(said("case depth"), column("case_depth"), "case_depth", "mm", figures=3, most=3),
+    ]
     legends = (
         said("HV, HRC hardness at which nothing yields at the depth of τ_max: 6 τ (Tabor, 1951;"
              " Tresca)"),
         said("case depth: there a core of {core:.3r} HV bears the stresses",
              core=own["inner"].core_hardness),
     )  # fmt: skip
-    table = Table(columns=tuple(columns), key="static_hardening", legends=legends, rule=True)
-    return Section(
-        said("Hardness below the surface"), (table,), key="static_hardening", level=level
-    )
+    table = Table(tuple(columns), "static_hardening", legends=legends, rule=True)
+    return Section(said("Hardness below the surface"), (table,), "static_hardening", level)

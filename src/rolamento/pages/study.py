@@ -82,16 +82,10 @@ def study_page(summary: Summary, title: str = "") -> Document:
 def cases_table(columns: Sequence[CaseColumn]) -> Table:
     """Return the cases of a study, a line each, in the units that people read; for files only."""
     return Table(
-        columns=tuple(
-            Column(
-                head=one.name,
-                key=one.name,
-                unit=_unit_in_files(one),
-                values=_in_si(one).tolist(),
-            )
-            for one in columns
+        tuple(
+            Column(one.name, _in_si(one).tolist(), one.name, _unit_in_files(one)) for one in columns
         ),
-        key="cases",
+        "cases",
         only_in_files=True,
     )
 
@@ -139,10 +133,10 @@ def _counts(summary: Summary) -> list[Block]:
     }
     if reasons:
         columns = (
-            Column(head=said("cases"), key="cases", values=list(reasons.values())),
-            Column(head=said("reason"), key="reason", values=list(reasons)),
+            Column(said("cases"), list(reasons.values()), "cases"),
+            Column(said("reason"), list(reasons), "reason"),
         )
-        blocks.append(Table(columns=columns, key="failures", headless=True, indent=4))
+        blocks.append(Table(columns, "failures", headless=True, indent=4))
     for status, one in summary.first.items():
         text = said(
             "{reason}, first in case {number}: {why}",
@@ -167,16 +161,16 @@ def _ranges(ranges: tuple[OutputRange, ...]) -> Table:
         for found, unit in zip(ranges, units, strict=True)
     ]
     columns = (
-        Column(head=said("output"), key="output", values=[found.output.name for found in ranges]),
+        Column(said("output"), [found.output.name for found in ranges], "output"),
         *(
-            Column(head=head, key=key, values=values, align="right")
+            Column(head, values, key, align="right")
             for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
-        Column(head="", key="unit", values=shown, align="left"),
+        Column("", shown, "unit", align="left"),
     )
     every = max(found.every for found in ranges)
     legend = said("The medians are those of one case in {every}.", every=every)
-    return Table(columns=columns, key="ranges", legends=(legend,) if every > 1 else ())
+    return Table(columns, "ranges", legends=(legend,) if every > 1 else ())
 
 
 def _cautions(summary: Summary) -> Iterator[Notes]:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Column,
@@ -28,8 +29,6 @@ from rolamento.words import counted, manner, marked, said, said_in
 from rolamento.words.naming import PARTS, listed, one_line, part_name, the_part
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.synthesis import PlantedFault, PlantedLine, SynthesisResult
 
 __all__ = ["synthesis_page"]
@@ -54,18 +53,18 @@ _HOLDS: Final = {
 
 def synthesis_page(found: SynthesisResult) -> Document:
     """Return the page of a synthetic signal."""
-    sections = [Section("", (Statement(_written(found), "strong"),), key="verdict"), _facts(found)]
+    sections = [Section("", (Statement(_written(found), "strong"),), "verdict"), _facts(found)]
     if found.faults:
         sections.append(_planted(found))
     if found.lines:
         sections.append(_lines(found))
     remarks = tuple(Remark(note.text, note.key) for note in found.notes)
     if remarks:
-        sections.append(Section(said("Notes"), (Notes(remarks),), key="notes"))
+        sections.append(Section(said("Notes"), (Notes(remarks),), "notes"))
     if found.source != _STANDARD_INPUT:
         command = Statement(found.command, indent=2, verbatim=True)
-        sections.append(Section(said("To look for it:"), (command,), key="next"))
-    sections.append(Section("", tuple(_figures(found)), key="figures"))
+        sections.append(Section(said("To look for it:"), (command,), "next"))
+    sections.append(Section("", tuple(_figures(found)), "figures"))
     return Document(one_line(found.name), tuple(sections), kind="synthesise")
 
 
@@ -91,10 +90,7 @@ def _together(faults: Iterable[Fault], element: str) -> str:
 def _facts(found: SynthesisResult) -> Section:
     own = found.recipe.frequencies
     balls, angle = balls_of(found.bearing, own), contact_angle(own)
-    of_impacts = (
-        Entry(said("load"), _load(found)),
-        Entry(said("resonances"), _modes(found)),
-    )
+    of_impacts = (Entry(said("load"), _load(found)), Entry(said("resonances"), _modes(found)))
     entries = (
         Entry(said("bearing"), f"{one_line(found.name)}: {balls}; {angle}"),
         Entry(said("shaft"), "; ".join(_shaft(found))),
@@ -104,7 +100,7 @@ def _facts(found: SynthesisResult) -> Section:
         Entry(said("seed"), str(found.recipe.seed)),
         Entry(said("files"), "\n".join(_files(found))),
     )
-    return Section("", (Title(said("Synthetic signal")), KeyValues(entries)), key="given")
+    return Section("", (Title(said("Synthetic signal")), KeyValues(entries)), "given")
 
 
 def _shaft(found: SynthesisResult) -> Iterable[str]:
@@ -201,42 +197,22 @@ def _planted(found: SynthesisResult) -> Section:
     faults, noisy = found.faults, found.made.truth.noise_level > 0.0
     element = found.recipe.frequencies.element
     to_noise = Column(
-        head=said("to noise"),
-        values=[one.to_noise for one in faults],
-        unit="dB",
-        form=".2f [dB]",
-        key="to_noise",
+        said("to noise"), [one.to_noise for one in faults], "to_noise", "dB", form=".2f [dB]"
     )
     columns = (
-        Column(head="", values=[part_name(one.truth.kind, element) for one in faults], key="part"),
+        Column("", [part_name(one.truth.kind, element) for one in faults], "part"),
+        Column(said("order"), [one.truth.order for one in faults], "order", form=".4f"),
         Column(
-            head=said("order"),
-            values=[one.truth.order for one in faults],
-            form=".4f",
-            key="order",
-        ),
-        Column(
-            head=said("frequency"),
-            values=[one.truth.frequency for one in faults],
-            unit="Hz",
+            said("frequency"),
+            [one.truth.frequency for one in faults],
+            "frequency",
+            "Hz",
             form=".2f [Hz]",
-            key="frequency",
         ),
-        Column(head=said("impacts"), values=[_impacts(one) for one in faults], key="impacts"),
-        Column(
-            head="RMS",
-            values=[_number(one.truth.rms, "m/s²") for one in faults],
-            unit="m/s²",
-            key="rms",
-        ),
+        Column(said("impacts"), [_impacts(one) for one in faults], "impacts"),
+        Column("RMS", [_number(one.truth.rms, "m/s²") for one in faults], "rms", "m/s²"),
         *((to_noise,) if noisy else ()),
-        Column(
-            head=said("jitter"),
-            values=[one.fault.jitter for one in faults],
-            unit="%",
-            form=".3 [%]",
-            key="jitter",
-        ),
+        Column(said("jitter"), [one.fault.jitter for one in faults], "jitter", "%", form=".3 [%]"),
     )
     legend = said(
         "Order: of the shaft. Impacts: with non-zero force. RMS: of what the fault alone produces."
@@ -248,8 +224,8 @@ def _planted(found: SynthesisResult) -> Section:
             " produces. To noise: its power over that of the noise. Jitter: standard deviation of"
             " the intervals."
         )
-    table = Table(columns=columns, key="planted", legends=(legend,))
-    return Section(said("Planted"), (table,), key="planted")
+    table = Table(columns, "planted", legends=(legend,))
+    return Section(said("Planted"), (table,), "planted")
 
 
 def _impacts(one: PlantedFault) -> float | int:
@@ -262,7 +238,7 @@ def _lines(found: SynthesisResult) -> Section:
     element = found.recipe.frequencies.element
     blocks: list[Block] = [_line_table(held[:_MOST_LINES], element)] if held else []
     blocks += [Statement(text, "faint", indent=2) for text in _left_out(found, len(held))]
-    return Section(said("Peaks"), tuple(blocks), key="lines")
+    return Section(said("Peaks"), tuple(blocks), "lines")
 
 
 def _left_out(found: SynthesisResult, held: int) -> Iterable[str]:
@@ -285,38 +261,33 @@ def _line_table(lines: list[PlantedLine], element: str) -> Table:
     waves = [float("nan") if line.source == "shaft" else line.waves for line in lines]
     columns = (
         Column(
-            head="",
-            values=[
+            "",
+            [
                 part_name("ball", element)
                 if line.source == "ball"
                 else said(_SURFACES[line.source])
                 for line in lines
             ],
-            key="source",
+            "source",
         ),
-        Column(head=said("waves"), values=waves, key="waves"),
-        Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
+        Column(said("waves"), waves, "waves"),
+        Column(said("order"), [line.order for line in lines], "order", form=".4f"),
         Column(
-            head=said("frequency"),
-            values=[line.frequency for line in lines],
-            unit="Hz",
+            said("frequency"),
+            [line.frequency for line in lines],
+            "frequency",
+            "Hz",
             form=".2f [Hz]",
-            key="frequency",
         ),
         Column(
-            head=said("amplitude"),
-            values=[_number(line.amplitude, "nm", 3) for line in lines],
-            unit="nm",
-            key="amplitude",
+            said("amplitude"),
+            [_number(line.amplitude, "nm", 3) for line in lines],
+            "amplitude",
+            "nm",
         ),
-        Column(
-            head="RMS",
-            values=[_number(line.rms, "m/s²", 3) for line in lines],
-            unit="m/s²",
-            key="rms",
-        ),
+        Column("RMS", [_number(line.rms, "m/s²", 3) for line in lines], "rms", "m/s²"),
     )
-    return Table(columns=columns, key="lines")
+    return Table(columns, "lines")
 
 
 def _number(value: float, unit: str, figures: int = 4) -> Number:
@@ -331,13 +302,6 @@ def _written_number(value: float) -> str:
 
 
 def _figures(found: SynthesisResult) -> Iterable[Figure]:
-    yield Figure(caption=said("The signal over time"), draw=_waveform(found), key="waveform")
-
-
-def _waveform(found: SynthesisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import waveform_figure
-
-        return waveform_figure(found.made.signal)
-
-    return draw
+    yield Figure(
+        said("The signal over time"), lambda: plots.waveform_figure(found.made.signal), "waveform"
+    )

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.charts.axes_units import ReadableUnit, readable_unit
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Section,
     Statement,
@@ -22,6 +22,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.errors import InputError
+from rolamento.pages.given import picture
 from rolamento.pages.study import in_row
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
 from rolamento.studies.tolerance import Samples, ToleranceBand
@@ -29,7 +30,7 @@ from rolamento.words import UNITS, manner, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
+    pass
 
 __all__ = ["MOST_POINTS", "tolerance_page"]
 
@@ -76,14 +77,8 @@ def tolerance_page(study: ToleranceStudy) -> Document:
     if study.sobol is not None:
         sections.append(_sobol(study.sobol))
     if study.ranks is not None and not any(points):
-
-        def draw() -> Picture:
-            from rolamento.plots.tolerance import tolerance_figure
-
-            return tolerance_figure(study)
-
         caption = said("Distributions of the outputs, and the inputs that move them")
-        sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="tolerance"),)))
+        sections.append(picture(caption, lambda: plots.tolerance_figure(study), "tolerance", ""))
     return Document(title, tuple(sections), "tolerance")
 
 
@@ -164,14 +159,14 @@ def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> Sectio
     heads = {f"percentile_{i}": f"{manner().short(percentiles[i], 6)} %" for i in shown}
     heads["standard_deviation"] = said("std. dev.")
     columns = (
-        Column(head="", key="output", values=names),
+        Column("", names, "output"),
         *(
-            Column(head=head, key=key, values=values, align="right")
+            Column(head, values, key, align="right")
             for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
-        Column(head="", key="unit", values=units, align="left"),
+        Column("", units, "unit", align="left"),
     )
-    table = Table(columns=columns, key=f"percentiles{suffix}")
+    table = Table(columns, f"percentiles{suffix}")
     return Section(said("Percentiles of the outputs"), (table,), f"percentiles{suffix}")
 
 
@@ -213,14 +208,14 @@ def _ranks(
     )
     inputs, numbers, lows, highs, bars = zip(*rows, strict=True)
     columns = (
-        Column(head="", key="input", values=inputs),
-        Column(head="", key="correlation", values=numbers, form=".2f", tone="strong"),
-        Column(head=said("from"), key="low", values=lows, form=".2f", tone="faint"),
-        Column(head=said("to"), key="high", values=highs, form=".2f", tone="faint"),
-        Column(head="", key="bar", values=bars, bar=True),
+        Column("", inputs, "input"),
+        Column("", numbers, "correlation", form=".2f", tone="strong"),
+        Column(said("from"), lows, "low", form=".2f", tone="faint"),
+        Column(said("to"), highs, "high", form=".2f", tone="faint"),
+        Column("", bars, "bar", bar=True),
     )
     key = f"rank_correlation{suffix}"
-    return Section(heading, (Table(columns=columns, key=key, groups=tuple(groups)),), key)
+    return Section(heading, (Table(columns, key, groups=tuple(groups)),), key)
 
 
 def _sobol(found: SobolIndices) -> Section:
@@ -255,20 +250,20 @@ def _sobol(found: SobolIndices) -> Section:
     }
     inputs, *numbers_, bars = zip(*rows, strict=True)
     columns = (
-        Column(head="", key="input", values=inputs),
+        Column("", inputs, "input"),
         *(
             Column(
-                head=head,
-                key=key,
-                values=values,
+                head,
+                values,
+                key,
                 form=".2f",
                 tone="strong" if key in ("first_order", "total") else "faint",
             )
             for (key, head), values in zip(heads.items(), numbers_, strict=True)
         ),
-        Column(head="", key="bar", values=bars, bar=True),
+        Column("", bars, "bar", bar=True),
     )
-    table = Table(columns=columns, key="sobol", groups=tuple(groups))
+    table = Table(columns, "sobol", groups=tuple(groups))
     return Section(heading, (table,), "sobol")
 
 

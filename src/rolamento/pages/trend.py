@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -19,6 +19,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.io.dates import moment_after
+from rolamento.pages.given import picture
 from rolamento.pages.limit import limit_section
 from rolamento.units import to_si
 from rolamento.words import marked, said
@@ -78,20 +79,16 @@ def trend_page(found: TrendStudy) -> Document:
         ]  # fmt: skip
         sections.append(limit_section(own, trend.units[place], trend.time_unit, trend.start))
 
-    def draw() -> Picture:
-        return trend_picture(found)
-
     caption = said("Measurements over the running time")
-    sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="trend"),)))
+    sections.append(picture(caption, lambda: trend_picture(found), "trend", ""))
     return Document(title, tuple(sections), "trend")
 
 
 def trend_picture(found: TrendStudy) -> Picture:
     """Draw the record, with its laws and limits."""
-    from rolamento.plots.trend import trend_figure
-
     limits = {(one.bearing, one.quantity): one.forecast for one in found.limits}
-    return trend_figure(found.trend, found.fits, limits)
+    figure: Picture = plots.trend_figure(found.trend, found.fits, limits)
+    return figure
 
 
 def _measurements(trend: Trend) -> Table:
@@ -109,21 +106,17 @@ def _measurements(trend: Trend) -> Table:
         if name and (not place or name != bearings[place - 1])
     )
     columns = [
-        Column(head=said("bearing"), key="bearing", values=bearings, only_in_files=True),
+        Column(said("bearing"), bearings, "bearing", only_in_files=True),
         *_days(trend, shown),
-        Column(
-            head=trend.time_unit,
-            key="time",
-            values=[Number(float(trend.times[row]), ".6") for row in shown],
-        ),
+        Column(trend.time_unit, [Number(float(trend.times[row]), ".6") for row in shown], "time"),
     ]
     for place, (name, unit) in enumerate(zip(trend.quantities, trend.units, strict=True)):
         known = said(QUANTITIES[name]) if name in QUANTITIES else name
         columns.append(
             Column(
-                head=f"{shortened(known)} {unit}".rstrip(),
-                key=name,
-                values=_cells(trend, shown, place),
+                f"{shortened(known)} {unit}".rstrip(),
+                _cells(trend, shown, place),
+                name,
                 align="right",
             )
         )
@@ -136,7 +129,7 @@ def _measurements(trend: Trend) -> Table:
                 shown=len(shown),
             )
         )
-    return Table(columns=tuple(columns), key="measurements", groups=groups, legends=tuple(legends))
+    return Table(tuple(columns), "measurements", groups=groups, legends=tuple(legends))
 
 
 def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
@@ -144,7 +137,7 @@ def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
     if not trend.start:
         return []
     days = [moment_after(trend.start, float(trend.times[row])) for row in rows]
-    return [Column(head=said("date"), key="date", values=days)]
+    return [Column(said("date"), days, "date")]
 
 
 def _cells(trend: Trend, rows: Sequence[int], quantity: int) -> list[CellContent]:
@@ -170,11 +163,7 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
     }
     first = next(iter(fits.values()))
     columns = [
-        Column(
-            head=said("bearing"),
-            key="bearing",
-            values=[shortened(one_line(bearing)) for bearing in fits],
-        )
+        Column(said("bearing"), [shortened(one_line(bearing)) for bearing in fits], "bearing")
     ]
     for name in first.constants:
         head, scale = constants[name]
@@ -184,12 +173,12 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
             (name, head, values, _FIGURES), (f"{name}_error", "±", errors, 2),
         ):  # fmt: skip
             cells = [Number(value, f".{figures}") for value in numbers]
-            columns.append(Column(head=shown, key=key, values=cells))
+            columns.append(Column(shown, cells, key))
     columns.append(
         Column(
-            head=said("residual {length}", length=length),
-            key="residual",
-            values=[Number(fit.residual / metre, ".2") for fit in fits.values()],
+            said("residual {length}", length=length),
+            [Number(fit.residual / metre, ".2") for fit in fits.values()],
+            "residual",
         )
     )
     legends = (
@@ -202,5 +191,5 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
             " for other bearings."
         ),
     )
-    table = Table(columns=tuple(columns), key="wear", legends=legends)
+    table = Table(tuple(columns), "wear", legends=legends)
     return Section(said("Law of wear: {law}", law=_LAWS[first.law]), (table,), "wear")

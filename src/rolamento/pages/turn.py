@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.case.duty import AXES, LOADS
 from rolamento.document import (
     Block,
@@ -25,14 +26,12 @@ from rolamento.document import (
 )
 from rolamento.numerics import FloatArray
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.solved import RACES
 from rolamento.words import decimals_for, in_unit, said, said_in, worded
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.studies.cage_turn import BallHistory, CageTurn, Variation
     from rolamento.studies.torque_turn import TorqueTurn
 
@@ -57,29 +56,23 @@ def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
     torque
         Its friction torque, if that is known.
     """
-    title = turn.case.title or untitled(turn.case)
-    sections = [Section("", (Title(title), _head(turn)), key="given")]
+    title = title_of(turn.case)
+    sections = [Section("", (Title(title), _head(turn)), "given")]
     if turn.converged:
         sections += [_displacement(turn), _load(turn), _stiffness(turn)]
         sections += [_torque(torque)] if torque is not None else []
         sections += [_ball(history, turn) for history in turn.histories]
     figure = Figure(
-        caption=worded(
+        worded(
             turn.elements,
             said("Displacement, stiffness and ball load over one pitch of the cage"),
             said("Displacement, stiffness and roller load over one pitch of the cage"),
         ),
-        draw=lambda: _picture(turn),
-        key="turn",
+        lambda: plots.cage_turn_figure(turn),
+        "turn",
     )
-    sections.append(Section("", (figure, _instants(turn)), key="instants"))
+    sections.append(Section("", (figure, _instants(turn)), "instants"))
     return Document(title, tuple(sections), kind="turn", main="instants")
-
-
-def _picture(turn: CageTurn) -> Picture:
-    from rolamento.plots.cage_turn import cage_turn_figure
-
-    return cage_turn_figure(turn)
 
 
 def _head(turn: CageTurn) -> KeyValues:
@@ -150,7 +143,7 @@ def _displacement(turn: CageTurn) -> Section:
         )
         blocks.append(Statement(text, "faint", indent=2))
     heading = said("Displacement of the inner ring")
-    return Section(heading, tuple(blocks), key="displacement")
+    return Section(heading, tuple(blocks), "displacement")
 
 
 def _torque(found: TorqueTurn) -> Section:
@@ -166,21 +159,20 @@ def _torque(found: TorqueTurn) -> Section:
         ),
     ]
     columns = (
-        Column(head="", values=[label for label, _ in rows], key="quantity"),
-        Column(head="", values=[Number(value, f".3 [{unit}]") for _, value in rows], key="value",
-               align="right"),
-        Column(head="", values=[unit] * len(rows), key="unit"),
-        Column(head="", values=[Number(value / found.mean if found.mean else nan, ".3 %")
-                                for _, value in rows], key="share", align="right"),
+        Column("", [label for label, _ in rows], "quantity"),
+        Column("", [Number(value, f".3 [{unit}]") for _, value in rows], "value", align="right"),
+        Column("", [unit] * len(rows), "unit"),
+        Column("", [Number(value / found.mean if found.mean else nan, ".3 %")
+                                for _, value in rows], "share", align="right"),
     )  # fmt: skip
     legend = said("of an ideal bearing; unlike elements, waviness and the cage add more")
-    table = Table(columns=columns, key="torque", headless=True, legends=(legend,))
-    return Section(said("Friction torque"), (table,), key="torque")
+    table = Table(columns, "torque", headless=True, legends=(legend,))
+    return Section(said("Friction torque"), (table,), "torque")
 
 
 def _load(turn: CageTurn) -> Section:
     table = _variation_table(LOADS, turn.variation("load"), _LOAD_UNITS, _LOAD_UNITS, key="load")
-    return Section(said("Load on the inner ring"), (table,), key="load")
+    return Section(said("Load on the inner ring"), (table,), "load")
 
 
 def _variation_table(
@@ -193,30 +185,24 @@ def _variation_table(
     """Show mean, peak to peak and the first harmonics of the five degrees of freedom."""
     amplitudes = np.abs(variation.harmonics[:_HARMONICS])
     columns = [
-        Column(head="", values=names, key="direction"),
+        Column("", names, "direction"),
+        Column(said("mean"), _alike(variation.mean, mean_units, 5, 3, zero=False), "mean"),
+        Column("", mean_units, "mean_unit"),
         Column(
-            head=said("mean"),
-            values=_alike(variation.mean, mean_units, 5, 3, zero=False),
-            key="mean",
-        ),
-        Column(head="", values=mean_units, key="mean_unit"),
-        Column(
-            head=said("peak to peak"),
-            values=_alike(variation.peak_to_peak, units, 4, 4),
-            key="peak_to_peak",
+            said("peak to peak"),
+            _alike(variation.peak_to_peak, units, 4, 4),
+            "peak_to_peak",
             tone="strong",
         ),
         *(
             Column(
-                head=said("harm. {order}", order=order),
-                values=_alike(values, units, 4, 4),
-                key=f"harmonic_{order}",
+                said("harm. {order}", order=order), _alike(values, units, 4, 4), f"harmonic_{order}"
             )
             for order, values in enumerate(amplitudes, start=1)
         ),
-        Column(head="", values=units, key="unit"),
+        Column("", units, "unit"),
     ]
-    return Table(columns=tuple(columns), key=key)
+    return Table(tuple(columns), key)
 
 
 def _alike(
@@ -239,22 +225,13 @@ def _stiffness(turn: CageTurn) -> Section:
     means, extents = np.diagonal(variation.mean), np.diagonal(variation.peak_to_peak)
     shares = [float(e / abs(m)) if m else nan for e, m in zip(extents, means, strict=True)]
     columns = (
-        Column(
-            head="",
-            values=[f"{load} {axis}" for load, axis in zip(LOADS, AXES, strict=True)],
-            key="direction",
-        ),
-        Column(head=said("mean"), values=_short(means, 5), key="mean"),
-        Column(head=said("peak to peak"), values=_short(extents, 4), key="peak_to_peak",
-               tone="strong"),
-        Column(head="", values=_STIFFNESS_UNITS, key="unit"),
-        Column(
-            head=said("of mean"),
-            values=[Number(share, ".3 %") for share in shares],
-            key="share",
-        ),
-    )  # fmt: skip
-    return Section(said("Stiffness"), (Table(columns=columns, key="stiffness"),), key="stiffness")
+        Column("", [f"{load} {axis}" for load, axis in zip(LOADS, AXES, strict=True)], "direction"),
+        Column(said("mean"), _short(means, 5), "mean"),
+        Column(said("peak to peak"), _short(extents, 4), "peak_to_peak", tone="strong"),
+        Column("", _STIFFNESS_UNITS, "unit"),
+        Column(said("of mean"), [Number(share, ".3 %") for share in shares], "share"),
+    )
+    return Section(said("Stiffness"), (Table(columns, "stiffness"),), "stiffness")
 
 
 def _short(values: FloatArray, figures: int) -> list[CellContent]:
@@ -276,7 +253,7 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
         (said("minimum load"), "N"),
         (said("loaded over"), "°"),
     )
-    columns = [Column(head="", values=[label for label, _ in shown], key="quantity")]
+    columns = [Column("", [label for label, _ in shown], "quantity")]
     heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
     for race in RACES:
         contact = races[race]
@@ -293,8 +270,8 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
             Number(float(value), f".5 [{unit}]")
             for value, (_, unit) in zip(values, shown, strict=True)
         ]
-        columns.append(Column(head=heads[race], values=cells, key=race, align="right"))
-    columns.append(Column(head="", values=[unit for _, unit in shown], key="unit"))
+        columns.append(Column(heads[race], cells, race, align="right"))
+    columns.append(Column("", [unit for _, unit in shown], "unit"))
     element = (turn.elements[history.row],)
     heading = worded(element, said("One ball over its orbit"), said("One roller over its orbit"))
     if len(turn.histories) > 1:
@@ -304,7 +281,7 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
             said("One roller of row {number} over its orbit", number=history.row),
         )
     key = f"ball_{history.row}"
-    return Section(heading, (Table(columns=tuple(columns), key=key),), key=key)
+    return Section(heading, (Table(tuple(columns), key),), key)
 
 
 # --- the instants ------------------------------------------------------------------------------
@@ -314,39 +291,39 @@ def _instants(turn: CageTurn) -> Table:
     """Return a line for every instant; for files."""
     solved = turn.solved
     columns = [
-        Column(head="ψ", values=turn.angle.tolist(), unit="°", key="angle"),
-        Column(head="t", values=turn.time.tolist(), unit="ms", key="time"),
-        Column(head=said("status"), values=turn.status.tolist(), key="status"),
+        Column("ψ", turn.angle.tolist(), "angle", "°"),
+        Column("t", turn.time.tolist(), "time", "ms"),
+        Column(said("status"), turn.status.tolist(), "status"),
     ]
     for names, units, values in (
         (AXES, _MEAN_UNITS, solved.displacement.array),
         (LOADS, _LOAD_UNITS, solved.load.array),
     ):
         columns += [
-            Column(head=name, values=values[:, place].tolist(), unit=unit, key=name)
+            Column(name, values[:, place].tolist(), name, unit)
             for place, (name, unit) in enumerate(zip(names, units, strict=True))
         ]
     columns += [
         Column(
-            head=f"{load} {axis}",
-            values=solved.stiffness.array[:, row, column].tolist(),
-            unit=_stiffness_unit(row, column),
-            key=f"stiffness_{load}_{axis}",
+            f"{load} {axis}",
+            solved.stiffness.array[:, row, column].tolist(),
+            f"stiffness_{load}_{axis}",
+            _stiffness_unit(row, column),
         )
         for row, load in enumerate(LOADS)
         for column, axis in enumerate(AXES)
     ]
     columns += [
         Column(
-            head=f"Q_{race[0]},{ball}",
-            values=solved.contacts[race].load[:, ball].tolist(),
-            unit="N",
-            key=f"ball_{ball}_{race}_load",
+            f"Q_{race[0]},{ball}",
+            solved.contacts[race].load[:, ball].tolist(),
+            f"ball_{ball}_{race}_load",
+            "N",
         )
         for race in RACES
         for ball in range(solved.inner.load.shape[1])
     ]
-    return Table(columns=tuple(columns), key="instants", only_in_files=True)
+    return Table(tuple(columns), "instants", only_in_files=True)
 
 
 def _stiffness_unit(row: int, column: int) -> str:

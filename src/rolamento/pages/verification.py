@@ -149,18 +149,13 @@ def _held_out() -> Section:
     )
     tried = held_out()
     columns = (
-        Column(head=said("held out"), key="held_out", values=[one.what.text for one in tried]),
-        Column(head=said("tried"), key="tried", values=[one.of for one in tried]),
-        Column(head=said("hold"), key="hold", values=[one.hold for one in tried]),
-        Column(
-            head=said("within"),
-            key="within",
-            values=[one.within or None for one in tried],
-            align="right",
-        ),
+        Column(said("held out"), [one.what.text for one in tried], "held_out"),
+        Column(said("tried"), [one.of for one in tried], "tried"),
+        Column(said("hold"), [one.hold for one in tried], "hold"),
+        Column(said("within"), [one.within or None for one in tried], "within", align="right"),
     )
-    table = Table(columns=columns, key="held_out")
-    return Section(said("Held out"), (Statement(text), table), "held_out", level=1)
+    table = Table(columns, "held_out")
+    return Section(said("Held out"), (Statement(text), table), "held_out", 1)
 
 
 def _proof_note() -> str:
@@ -184,9 +179,7 @@ def _table(checks: Sequence[Check], key: str) -> Table:
     mark = manner().mark
     columns = [
         Column(
-            head=said("quantity"),
-            key="quantity",
-            values=[_quantity(check).replace(".", mark) for check in checks],
+            said("quantity"), [_quantity(check).replace(".", mark) for check in checks], "quantity"
         ),
         _numbers(said("printed"), "printed", checks, _printed),
         replace(
@@ -200,19 +193,19 @@ def _table(checks: Sequence[Check], key: str) -> Table:
         columns.append(_numbers(said("proof"), "proof", checks, _proof))
     columns.append(
         Column(
-            head=said("verdict"),
-            key="verdict",
-            values=[
+            said("verdict"),
+            [
                 f"{said(_VERDICTS[one.verdict])} [{notes.index(one.explanation) + 1}]"
                 if one.explanation
                 else said(_VERDICTS[one.verdict])
                 for one in checks
             ],
+            "verdict",
             tones=[_TONES[one.verdict] for one in checks],
         )
     )
     legends = tuple(f"[{place}] {note.text}" for place, note in enumerate(notes, start=1))
-    return Table(columns=tuple(columns), key=key, legends=legends)
+    return Table(tuple(columns), key, legends=legends)
 
 
 def _quantity(check: Check) -> str:
@@ -227,7 +220,7 @@ def _numbers(
     head: str, key: str, checks: Sequence[Check], cell: Callable[[Check], CellContent]
 ) -> Column:
     values = [cell(check) for check in checks]
-    return Column(head=head, key=key, values=values, align="right")
+    return Column(head, values, key, align="right")
 
 
 def _places(printed: str) -> tuple[int, int]:

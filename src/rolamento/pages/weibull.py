@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Beside,
     Block,
@@ -46,7 +47,7 @@ from rolamento.words import ABSENT, Note, counted, manner, marked, said
 from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
+    pass
 
 __all__ = ["weibull_page"]
 
@@ -202,9 +203,7 @@ def _parts_of_group(
         blocks.insert(0, Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2))
     tables = [
         Section(
-            heading,
-            (table if alone else replace(table, caption=f"{name}: {heading}"),),
-            table.key,
+            heading, (table if alone else replace(table, caption=f"{name}: {heading}"),), table.key
         )
         for heading, table in (
             *_table_of_fits(group),
@@ -215,7 +214,7 @@ def _parts_of_group(
             *_table_of_models(group),
         )
     ]
-    parts: list[Section | Beside] = [Section(heading, tuple(blocks), "group", level=1)]
+    parts: list[Section | Beside] = [Section(heading, tuple(blocks), "group", 1)]
     if [table.key for table in tables[:2]] == ["fits", "bounds"]:
         parts.append(Beside((tables[0],), (tables[1],), key="fits_and_bounds"))
         tables = tables[2:]
@@ -244,12 +243,10 @@ def _table_of_fits(group: GroupSummary) -> _Headed:
         "mean": said("mean"),
     }
     columns = [
-        Column(head=head, key=name, values=alike([getattr(fit, name) for fit in fits]), tones=tones)
+        Column(head, alike([getattr(fit, name) for fit in fits]), name, tones=tones)
         for name, head in heads.items()
     ]
-    names = Column(
-        head=said("method"), key="method", tones=tones, values=[said(FITS[f.method]) for f in fits]
-    )
+    names = Column(said("method"), [said(FITS[f.method]) for f in fits], "method", tones=tones)
     legends = tuple(
         said(
             "failure-free time {location} {unit}; the scale is counted from there",
@@ -259,7 +256,7 @@ def _table_of_fits(group: GroupSummary) -> _Headed:
         for fit in fits
         if fit.location > 0.0
     )
-    table = Table(columns=(names, *columns), key="fits", legends=legends)
+    table = Table((names, *columns), "fits", legends=legends)
     return ((said("Weibull fit (lives in {unit})", unit=unit), table),)
 
 
@@ -277,14 +274,14 @@ def _table_of_bounds(group: GroupSummary) -> _Headed:
     columns = [_names(quantities, unit)]
     heads = {"estimate": said("estimate"), **_limit_heads(first)}
     columns += [
-        Column(head=head, key=key, values=column, align="right")
+        Column(head, column, key, align="right")
         for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
     ]
     if first.sides == "two":
-        columns.append(Column(head=said("ratio"), key="ratio", values=ratios, align="right"))
+        columns.append(Column(said("ratio"), ratios, "ratio", align="right"))
     heading = _bounds_heading(first.sides, first.confidence)
     legend = _bounded_by(group)
-    return ((heading, Table(columns=tuple(columns), key="bounds", legends=(legend,))),)
+    return ((heading, Table(tuple(columns), "bounds", legends=(legend,))),)
 
 
 def _bounds_heading(sides: Sides, confidence: float) -> str:
@@ -336,7 +333,7 @@ def _at_assumed_shapes(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
     if not group.assumed:
         return ()
     shapes = [Number(assumed.shape, ".3") for assumed in group.assumed]
-    columns = [Column(head=said("shape β"), key="shape", values=shapes, align="left")]
+    columns = [Column(said("shape β"), shapes, "shape", align="left")]
     for place, bound in enumerate(group.assumed[0].bounds):
         quantity = Estimand.of(bound.quantity)
         of_share = quantity.kind == "reliability"
@@ -350,16 +347,16 @@ def _at_assumed_shapes(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
             ]
             columns.append(
                 Column(
-                    head="" if name == "upper" else _name_with_unit(quantity, group.test.unit),
-                    key=f"{bound.quantity}_{name}",
-                    values=values,
+                    "" if name == "upper" else _name_with_unit(quantity, group.test.unit),
+                    values,
+                    f"{bound.quantity}_{name}",
                     align="right",
                 )
             )
     heading = said(
         "For an assumed shape ({bounds})", bounds=_bounds_heading(*wanted.bounds_of(group.test))
     )
-    return ((heading, Table(columns=tuple(columns), key="assumed_shapes")),)
+    return ((heading, Table(tuple(columns), "assumed_shapes")),)
 
 
 def _table_of_models(group: GroupSummary) -> _Headed:
@@ -370,19 +367,11 @@ def _table_of_models(group: GroupSummary) -> _Headed:
     models.sort(key=lambda one: one.aicc if isfinite(one.aicc) else 1e300 - one.log_likelihood)
     unit = one_line(group.test.unit)
     columns = (
-        Column(
-            head=said("distribution"),
-            key="model",
-            values=[said(MODELS[one.name]) for one in models],
-        ),
-        Column(
-            head=said("parameters"), key="parameters", values=[len(m.parameters) for m in models]
-        ),
-        Column(
-            head="ln ℓ", key="log_likelihood", values=[m.log_likelihood for m in models], form=".2f"
-        ),
-        Column(head="AICc", key="aicc", values=[m.aicc for m in models], form=".1f"),
-        Column(head=f"L10 {unit}", key="l10", values=alike([m.l10 for m in models])),
+        Column(said("distribution"), [said(MODELS[one.name]) for one in models], "model"),
+        Column(said("parameters"), [len(m.parameters) for m in models], "parameters"),
+        Column("ln ℓ", [m.log_likelihood for m in models], "log_likelihood", form=".2f"),
+        Column("AICc", [m.aicc for m in models], "aicc", form=".1f"),
+        Column(f"L10 {unit}", alike([m.l10 for m in models]), "l10"),
     )
     legends = (
         said(
@@ -391,7 +380,7 @@ def _table_of_models(group: GroupSummary) -> _Headed:
         ),
         *(_described(model, unit) for model in models if model.name in _TRY),
     )
-    table = Table(columns=columns, key="models", legends=legends)
+    table = Table(columns, "models", legends=legends)
     return ((said("Other distributions"), table),)
 
 
@@ -435,12 +424,7 @@ def _whole(found: LifeTestSummary) -> list[Section | Beside]:
              for bound in system.bounds[:1] if bound.converged]  # fmt: skip
     blocks += _bullets([text for text in lives if text])
     sections: list[Section | Beside] = [
-        Section(
-            said("Failure modes"),
-            (*blocks, _table_of_modes(found)),
-            "modes",
-            level=1,
-        )
+        Section(said("Failure modes"), (*blocks, _table_of_modes(found)), "modes", 1)
     ]
     if system.bounds:
         sections.append(_table_of_system(found))
@@ -460,20 +444,27 @@ def _table_of_modes(found: LifeTestSummary) -> Table:
     }
     tests = [group.goodness for group in found.groups]
     columns = [
-        Column(head=said("mode"), key="mode",
-               values=[shortened(one_line(one.name), 24) for one in system.modes]),
-        Column(head=said("failures"), key="failures", values=[fit.failures for fit in fits]),
-        Column(head=said("shape β"), key="shape", values=alike([fit.shape for fit in fits])),
-        Column(head=said("scale η"), key="scale", values=alike([fit.scale for fit in fits])),
-        Column(head=f"{life_name(life)} {unit}", key="life",
-               values=alike([float(fit.life_at(life.value)) for fit in fits])),
-        *(Column(head=head, key=key, values=limits[key], align="right")
-          for key, head in heads.items()),
-        Column(head=said("fit p"), key="goodness_of_fit",
-               values=[_p_cell(one.p_value) for one in tests], align="right"),
-        Column(head=said("hazard"), key="hazard_share", form=".1f [%]", unit="%",
-               values=[one.hazard_share for one in system.modes]),
-    ]  # fmt: skip
+        Column(said("mode"), [shortened(one_line(one.name), 24) for one in system.modes], "mode"),
+        Column(said("failures"), [fit.failures for fit in fits], "failures"),
+        Column(said("shape β"), alike([fit.shape for fit in fits]), "shape"),
+        Column(said("scale η"), alike([fit.scale for fit in fits]), "scale"),
+        Column(
+            f"{life_name(life)} {unit}",
+            alike([float(fit.life_at(life.value)) for fit in fits]),
+            "life",
+        ),
+        *(Column(head, limits[key], key, align="right") for key, head in heads.items()),
+        Column(
+            said("fit p"), [_p_cell(one.p_value) for one in tests], "goodness_of_fit", align="right"
+        ),
+        Column(
+            said("hazard"),
+            [one.hazard_share for one in system.modes],
+            "hazard_share",
+            "%",
+            form=".1f [%]",
+        ),
+    ]
     legends = [
         said(
             "fit p: p-value of the goodness-of-fit test; hazard: share of the mode in the"
@@ -493,7 +484,7 @@ def _table_of_modes(found: LifeTestSummary) -> Table:
         for one in system.modes
         if one.earliest is not None and one.earliest.converged
     ]
-    return Table(columns=tuple(columns), key="modes", legends=tuple(legends))
+    return Table(tuple(columns), "modes", legends=tuple(legends))
 
 
 def _table_of_system(found: LifeTestSummary) -> Section:
@@ -511,7 +502,7 @@ def _table_of_system(found: LifeTestSummary) -> Section:
     columns = (
         _names(quantities, unit),
         *(
-            Column(head=head, key=key, values=column, align="right")
+            Column(head, column, key, align="right")
             for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
     )
@@ -529,7 +520,7 @@ def _table_of_system(found: LifeTestSummary) -> Section:
         "All modes together ({bounds})",
         bounds=_bounds_heading(bounds[0].sides, bounds[0].confidence),
     )
-    return Section(heading, (Table(columns=columns, key="system", legends=legends),), "system")
+    return Section(heading, (Table(columns, "system", legends=legends),), "system")
 
 
 def _warning(text: str) -> Statement:
@@ -561,11 +552,11 @@ def _table_of_posterior(group: GroupSummary, wanted: LifeTestRequest) -> _Headed
     columns = (
         _names(quantities, group.test.unit),
         *(
-            Column(head=head, key=key, values=column, align="right")
+            Column(head, column, key, align="right")
             for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
     )
-    return ((heading, Table(columns=columns, key="posterior")),)
+    return ((heading, Table(columns, "posterior")),)
 
 
 def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
@@ -574,30 +565,24 @@ def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Heade
         return ()
     heads = {"ratio": said("observed/calculated"), "lower": said("from"), "upper": said("to")}
     columns = (
+        Column("", [shortened(one_line(name), _LONGEST_NAME) for name in found], "name"),
         Column(
-            head="",
-            key="name",
-            values=[shortened(one_line(name), _LONGEST_NAME) for name in found],
-        ),
-        Column(
-            head=shortened(one_line(group.test.unit), _LONGEST_UNIT),
-            key="calculated",
-            values=[brief(one.calculated) for one in found.values()],
+            shortened(one_line(group.test.unit), _LONGEST_UNIT),
+            [brief(one.calculated) for one in found.values()],
+            "calculated",
         ),
         *(
-            Column(
-                head=head, key=key, values=[brief(getattr(one, key), 3) for one in found.values()]
-            )
+            Column(head, [brief(getattr(one, key), 3) for one in found.values()], key)
             for key, head in heads.items()
         ),
-        Column(head="p", key="p_value", values=[_p_cell(one.p_value) for one in found.values()]),
+        Column("p", [_p_cell(one.p_value) for one in found.values()], "p_value"),
         Column(
-            head=said("contradicted"),
-            key="contradicted",
-            values=[
+            said("contradicted"),
+            [
                 said(_VERDICTS[one.bearings_live]) if one.code == "converged" else ABSENT
                 for one in found.values()
             ],
+            "contradicted",
         ),
     )
     heading = said(
@@ -609,7 +594,7 @@ def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Heade
         "p: probability of a test result at least this far from the calculated life, if that life"
         " is true."
     )
-    return ((heading, Table(columns=columns, key="calculated", legends=(legend,))),)
+    return ((heading, Table(columns, "calculated", legends=(legend,))),)
 
 
 # --- sentences -------------------------------------------------------------------------------
@@ -724,8 +709,7 @@ def _life_sentence(bound: Bounds, wanted: LifeTestRequest, unit: str, lead: str 
             factor=written(brief(bound.ratio, 2)),
         )
     return lead + said(
-        "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}.",
-        **shown,
+        "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}.", **shown
     )
 
 
@@ -785,15 +769,11 @@ def _comparison(found: LifeTestSummary) -> list[Section | Beside]:
     blocks: list[Block] = [*_bullets(sentences)]
     if judged:
         columns = (
-            Column(
-                head="", key="hypothesis", values=[said(HYPOTHESES[o.hypothesis]) for o in judged]
-            ),
-            Column(
-                head="p", key="p_value", values=[_p_cell(o.p_value) for o in judged], align="right"
-            ),
+            Column("", [said(HYPOTHESES[o.hypothesis]) for o in judged], "hypothesis"),
+            Column("p", [_p_cell(o.p_value) for o in judged], "p_value", align="right"),
         )
-        blocks.append(Table(columns=columns, key="comparisons"))
-    return [Section(said("Comparison of the groups"), tuple(blocks), "comparison", level=1)]
+        blocks.append(Table(columns, "comparisons"))
+    return [Section(said("Comparison of the groups"), tuple(blocks), "comparison", 1)]
 
 
 def _sentence_of_difference(judged: Sequence[Comparison], confidence: float) -> list[str]:
@@ -865,27 +845,24 @@ def _notes(found: LifeTestSummary) -> dict[Note, None]:
 
 def _pictures(found: LifeTestSummary) -> list[Section | Beside]:
     """Weibull paper, and the regions of equal likelihood where there is a fit."""
-
-    def paper() -> Picture:
-        from rolamento.plots.weibull import weibull_figure
-
-        return weibull_figure(found, bands_of(found))
-
-    def regions() -> Picture:
-        from rolamento.plots.weibull import contour_figure
-
-        return contour_figure(found, regions_of(found, found.request.lives[0].name))
-
     if not found.has_result:
         return []
     caption = said("Weibull probability plot: failures, fitted lines and their bounds")
-    figures = [Figure(caption=caption, draw=paper, key="weibull_paper")]
+    figures = [
+        Figure(caption, lambda: plots.weibull_figure(found, bands_of(found)), "weibull_paper")
+    ]
     if any(group.main.converged and found.request.shape is None for group in found.groups):
         caption = said(
             "Shape and {quantity}: regions of equal likelihood",
             quantity=life_name(found.request.lives[0]),
         )
-        figures.append(Figure(caption=caption, draw=regions, key="likelihood_regions"))
+        figures.append(
+            Figure(
+                caption,
+                lambda: plots.contour_figure(found, regions_of(found, found.request.lives[0].name)),
+                "likelihood_regions",
+            )
+        )
     return [Section(blocks=tuple(figures), key="figures")]
 
 
@@ -900,9 +877,7 @@ def _p_cell(p: float) -> Number | str:
 
 
 def _names(quantities: Sequence[Estimand], unit: str) -> Column:
-    return Column(
-        head="", key="quantity", values=[_name_with_unit(quantity, unit) for quantity in quantities]
-    )
+    return Column("", [_name_with_unit(quantity, unit) for quantity in quantities], "quantity")
 
 
 def _name_with_unit(quantity: Estimand, unit: str) -> str:

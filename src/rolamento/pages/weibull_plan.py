@@ -6,27 +6,26 @@ from collections.abc import Sequence
 from math import isclose, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Break,
     CellContent,
     Column,
     Document,
-    Figure,
     Number,
     Section,
     Statement,
     Table,
     Title,
 )
+from rolamento.pages.given import picture
 from rolamento.pages.lives import FIGURES, life_name, percent
 from rolamento.weibull import Demonstration, Estimand, LifeTestPlan
 from rolamento.words import ABSENT, Note, counted, manner, said
 from rolamento.words.naming import one_line
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.weibull import DemonstrationStudy, PrecisionStudy
 
 __all__ = ["demonstration_page", "precision_page"]
@@ -66,14 +65,15 @@ def demonstration_page(found: DemonstrationStudy) -> Document:
     if found.alternatives:
         sections.append(_trade(found.alternatives, unit))
     if plan.planned:
-
-        def draw() -> Picture:
-            from rolamento.plots.weibull_plan import chance_figure
-
-            return chance_figure([plan, *found.beside], found.unit)
-
         caption = said("Probability of passing the test, by the true life")
-        sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="chance"),)))
+        sections.append(
+            picture(
+                caption,
+                lambda: plots.chance_figure([plan, *found.beside], found.unit),
+                "chance",
+                "",
+            )
+        )
     return Document(title, tuple(sections), "weibull-plan")
 
 
@@ -82,9 +82,7 @@ def _what_is_tested(plan: Demonstration, quantity: str, unit: str) -> tuple[Stat
     if plan.advice is not None:
         return (_no_plan(plan.advice),)
     ratio, allowed = plan.life_ratio_for(_FAIR), plan.failures_allowed
-    values = {
-        "bearings": plan.bearings, "time": plan.time, "unit": unit, "total": plan.total_time,
-    }  # fmt: skip
+    values = {"bearings": plan.bearings, "time": plan.time, "unit": unit, "total": plan.total_time}
     if allowed:
         run = counted(
             "Test {bearings} bearings for {time:.4} {unit} each (total {total:.4} {unit}), with at"
@@ -150,35 +148,32 @@ def _chances(found: DemonstrationStudy) -> Section:
     unit = one_line(found.unit)
     columns = (
         Column(
-            head=said("true life/required life"),
-            key="life_ratio",
-            values=[Number(ratio, ".2") for ratio in ratios],
+            said("true life/required life"), [Number(ratio, ".2") for ratio in ratios], "life_ratio"
         ),
         Column(
-            head=said("passes %"), key="chance", values=[_probability_cell(one) for one in chances],
-            align="right",
+            said("passes %"), [_probability_cell(one) for one in chances], "chance", align="right"
         ),
         Column(
-            head=said("ends after {unit}", unit=unit),
-            key="expected_time",
-            values=[Number(end, ".3") for end in ends],
+            said("ends after {unit}", unit=unit),
+            [Number(end, ".3") for end in ends],
+            "expected_time",
         ),
-    )  # fmt: skip
-    return Section(said("Probability of passing"), (Table(columns=columns, key="chances"),))
+    )
+    return Section(said("Probability of passing"), (Table(columns, "chances"),))
 
 
 def _shapes(found: DemonstrationStudy) -> Section:
     shapes, confidences = zip(*found.confidences, strict=True)
     columns = (
-        Column(head=said("shape"), key="shape", values=[Number(shape, ".2") for shape in shapes]),
+        Column(said("shape"), [Number(shape, ".2") for shape in shapes], "shape"),
         Column(
-            head=said("confidence %"),
-            key="confidence",
-            values=[_probability_cell(one) for one in confidences],
+            said("confidence %"),
+            [_probability_cell(one) for one in confidences],
+            "confidence",
             align="right",
         ),
     )
-    return Section(said("If the shape is different"), (Table(columns=columns, key="shapes"),))
+    return Section(said("If the shape is different"), (Table(columns, "shapes"),))
 
 
 def _trade(others: Sequence[Demonstration], unit: str) -> Section:
@@ -186,23 +181,17 @@ def _trade(others: Sequence[Demonstration], unit: str) -> Section:
     allowed = sorted({other.failures_allowed for other in others})
     by_place = {(other.bearings, other.failures_allowed): other.time for other in others}
     bearings = sorted({other.bearings for other in others})
-    columns = [Column(head=said("bearings"), key="bearings", values=bearings)]
+    columns = [Column(said("bearings"), bearings, "bearings")]
     for count in allowed:
         head = counted("{n} failure", "{n} failures", count) if count else said("no failures")
         times = [by_place.get((one, count), nan) for one in bearings]
-        columns.append(
-            Column(head=head, key=f"time_{count}_failures", values=[_time(time) for time in times])
-        )
+        columns.append(Column(head, [_time(time) for time in times], f"time_{count}_failures"))
     totals = [one * by_place.get((one, allowed[0]), nan) for one in bearings]
-    columns.append(
-        Column(
-            head=said("total, no failures"), key="total_time", values=[_time(one) for one in totals]
-        )
-    )
+    columns.append(Column(said("total, no failures"), [_time(one) for one in totals], "total_time"))
     heading = said(
         "Equivalent tests: time of each bearing ({unit}), by failures allowed", unit=unit
     )
-    return Section(heading, (Table(columns=tuple(columns), key="alternatives"),), "alternatives")
+    return Section(heading, (Table(tuple(columns), "alternatives"),), "alternatives")
 
 
 # --- precision -------------------------------------------------------------------------------
@@ -244,14 +233,10 @@ def precision_page(found: PrecisionStudy) -> Document:
     if found.planned:
         heading = said("Tests") if ratio is None else said("Tests of equal precision")
         sections.append(Section(heading, (_table_of_plans(plans, unit),), "plans"))
-
-        def draw() -> Picture:
-            from rolamento.plots.weibull_plan import cost_figure
-
-            return cost_figure(plans, found.time_label)
-
         caption = said("Duration of the tests and the bearings they need")
-        sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="cost"),)))
+        sections.append(
+            picture(caption, lambda: plots.cost_figure(plans, found.time_label), "cost", "")
+        )
     return Document(title, tuple(sections), "weibull-plan")
 
 
@@ -313,18 +298,18 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
         "ratio_rarely_exceeded": said("1 in 10"),
         "shape_ratio": said("shape"),
     }
-    columns = [Column(head="", key="test", values=[_kind(plan) for plan in plans])]
+    columns = [Column("", [_kind(plan) for plan in plans], "test")]
     columns += [
         Column(
-            head=head,
-            key=key,
-            values=[getattr(plan, key) if plan.planned else ABSENT for plan in plans],
+            head,
+            [getattr(plan, key) if plan.planned else ABSENT for plan in plans],
+            key,
             align="right",
         )
         for key, head in counts.items()
     ]
     columns += [
-        Column(head=head, key=key, values=[getattr(plan, key) for plan in plans], figures=3)
+        Column(head, [getattr(plan, key) for plan in plans], key, figures=3)
         for key, head in ratios.items()
     ]
     first = next(plan for plan in plans if plan.planned)
@@ -337,9 +322,7 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
         seed=str(first.seed),
     )
     return Table(
-        columns=(*columns, *_time_columns(plans, unit)),
-        key="plans",
-        breaks=(Break(len(columns), "", legend),),
+        (*columns, *_time_columns(plans, unit)), "plans", breaks=(Break(len(columns), "", legend),)
     )
 
 
@@ -355,25 +338,20 @@ def _time_columns(plans: Sequence[LifeTestPlan], unit: str) -> list[Column]:
             said("duration {unit}", unit=unit),
             [nan if end is None else end.mean for end in ends],
         ),
-        "bearing_time": (
-            said("bearing·{unit}", unit=unit),
-            [plan.bearing_time for plan in plans],
-        ),
+        "bearing_time": (said("bearing·{unit}", unit=unit), [plan.bearing_time for plan in plans]),
         "rig_time": (said("rig·{unit}", unit=unit), [plan.rig_time for plan in plans]),
     }
-    mean, *others = (
-        Column(head=head, key=key, values=values, most=4) for key, (head, values) in numbers.items()
-    )
+    mean, *others = (Column(head, values, key, most=4) for key, (head, values) in numbers.items())
     bounds = [
         Column(
-            head=key,
-            key=f"duration_{key}",
-            values=[nan if end is None else getattr(end, key) for end in ends],
+            key,
+            [nan if end is None else getattr(end, key) for end in ends],
+            f"duration_{key}",
             only_in_files=True,
         )
         for key in ("lower", "upper")
     ]
-    return [mean, Column(head="(90 %)", values=ranges, align="right"), *bounds, *others]
+    return [mean, Column("(90 %)", ranges, align="right"), *bounds, *others]
 
 
 def _kind(plan: LifeTestPlan) -> str:

@@ -18,6 +18,15 @@ _NAMES_OF_MODULES: Final = {
     "curves": ("contact_angle_over_speed", "load_displacement", "stiffness_over_speed"),
     "ellipses": ("contact_ellipses", "ellipses_of_both_races"),
     "friction": ("friction_figure",),
+    "grease": ("grease_figure",),
+    "heat": (
+        "heat_figure",
+        "heat_over_figure",
+        "heat_time_figure",
+        "heat_variants_figure",
+        "machine_heat_figure",
+    ),
+    "history": ("records_figure", "then_figure"),
     "life": (
         "aiso_chart",
         "helps_figure",
@@ -36,8 +45,11 @@ _NAMES_OF_MODULES: Final = {
         "machine_figure",
         "machine_over_figure",
         "modes_figure",
+        "response_figure",
     ),
     "machine_drawing": ("draw_machine",),
+    "oscillation": ("oscillation_figure",),
+    "replace": ("cost_of_ages_figure", "fleet_failures_figure", "remaining_life_figure"),
     "roller": (
         "compared_rollers",
         "pressure_along_rollers",
@@ -45,6 +57,7 @@ _NAMES_OF_MODULES: Final = {
         "roller_between_races",
     ),
     "saving": ("save_figure",),
+    "service_life": ("service_life_figure",),
     "severity": ("severity_figure", "severity_trend_figure", "zone_bars"),
     "slip": ("slip_map", "slip_maps"),
     "static": ("static_figure",),
@@ -61,6 +74,7 @@ _NAMES_OF_MODULES: Final = {
     "vibration": (
         "diagnosis_figure",
         "envelope_figure",
+        "impacts_figure",
         "kurtogram_figure",
         "waveform_figure",
     ),

@@ -12,12 +12,12 @@ from matplotlib.figure import Figure
 
 from rolamento.charts.frame import (
     GREY,
-    add_title,
     empty_frame,
     label_x,
     label_y,
     legend_above,
     log_scale,
+    panels,
 )
 from rolamento.charts.style import INNER, OUTER, new_figure, styled
 from rolamento.words import said
@@ -37,25 +37,14 @@ _ROOM: Final = 1.6
 
 
 def noise_figure(
-    noise: Noise,
-    *,
-    limits: Mapping[BandName, float] | None = None,
-    title: str = "",
+    noise: Noise, *, limits: Mapping[BandName, float] | None = None, title: str = ""
 ) -> Figure:
     """Draw noise over frequency, as `noise_bands`, with a title."""
-    with styled():
-        figure, axes = new_figure(height=90.0)
-        noise_bands(noise, axes, limits=limits)
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(lambda axes: noise_bands(noise, axes, limits=limits), title=title, height=90.0)
 
 
 def noise_bands(
-    noise: Noise,
-    axes: Axes | None = None,
-    *,
-    limits: Mapping[BandName, float] | None = None,
+    noise: Noise, axes: Axes | None = None, *, limits: Mapping[BandName, float] | None = None
 ) -> Axes:
     """Draw the anderons of thirds of octaves, with the level and the limit of each band.
 
@@ -118,10 +107,7 @@ def noise_trend_figure(trend: Trend, *, limits: Mapping[BandName, float] | None 
 
 
 def _draw(
-    axes: Axes,
-    noise: Noise,
-    steps: Mapping[BandName, NoiseSteps],
-    limits: Mapping[BandName, float],
+    axes: Axes, noise: Noise, steps: Mapping[BandName, NoiseSteps], limits: Mapping[BandName, float]
 ) -> None:
     """Draw steps, levels and limits, each kind named once in the legend."""
     named: set[str] = set()

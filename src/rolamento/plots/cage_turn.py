@@ -39,11 +39,7 @@ _SHIFTS: Final = ("x", "y", "z")
 _MOST_ORDERS: Final = 6
 _DECADES: Final = 1e-5  # of the greatest amplitude: bars below are not drawn
 _BAR: Final = 0.26
-_LENGTHS: Final = (
-    ReadableUnit("µm", 1e6),
-    ReadableUnit("nm", 1e9),
-    ReadableUnit("pm", 1e12),
-)
+_LENGTHS: Final = (ReadableUnit("µm", 1e6), ReadableUnit("nm", 1e9), ReadableUnit("pm", 1e12))
 _SHARES: Final = (PERCENT, ReadableUnit("ppm", 1e6))
 _STIFFNESS: Final = ReadableUnit("N/µm", 1e-6)
 _FURTHER_ROWS: Final = ("-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2)))
@@ -201,9 +197,7 @@ def _harmonics(axes: Axes, turn: CageTurn) -> None:
     frequency = turn.passage_frequency
     known = np.isfinite(frequency)
     label = worded(
-        turn.elements,
-        said("Harmonic of the ball passage"),
-        said("Harmonic of the roller passage"),
+        turn.elements, said("Harmonic of the ball passage"), said("Harmonic of the roller passage")
     )
     behind = f"\n({number(frequency)} Hz)" if known else ""
     axes.set_xlabel(label + behind, parse_math=False)

@@ -156,10 +156,7 @@ def stiffness_over_speed(
 
 
 def contact_angle_over_speed(
-    speed: ArrayLike,
-    inner: ArrayLike,
-    outer: ArrayLike,
-    axes: Axes | None = None,
+    speed: ArrayLike, inner: ArrayLike, outer: ArrayLike, axes: Axes | None = None
 ) -> Axes:
     """Draw inner and outer contact angles over the speed of the inner ring.
 

@@ -13,8 +13,7 @@ from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
 from rolamento.charts.drawing import draw
 from rolamento.charts.field_axis import field_axis, is_geometric
-from rolamento.charts.frame import add_title
-from rolamento.charts.style import new_figure, new_stacked_figure, styled
+from rolamento.charts.frame import panels
 from rolamento.charts.texts import no_result
 from rolamento.friction.models import torque_model_name
 from rolamento.studies.names import setting_name
@@ -47,19 +46,10 @@ def friction_figure(curves: Sequence[FrictionCurve]) -> Figure:
     curves
         The case's own first, then its variants; over one field.
     """
-    shown = curves[0].is_speed and any(curve.controlled is not None for curve in curves)
-    with styled():
-        if shown:
-            figure, (above, below) = new_stacked_figure(2, height=165.0)
-            torque_by_model(curves, above)
-            above.set_xlabel("")
-            spin_to_roll(curves, below)
-        else:
-            figure, above = new_figure(height=105.0)
-            torque_by_model(curves, above)
-        if curves[0].case.title:
-            add_title(figure, curves[0].case.title)
-    return figure
+    title, drawn = curves[0].case.title, [lambda axes: torque_by_model(curves, axes)]
+    if curves[0].is_speed and any(curve.controlled is not None for curve in curves):
+        drawn.append(lambda axes: spin_to_roll(curves, axes))
+    return panels(*drawn, title=title, height=165.0 if len(drawn) > 1 else 105.0)
 
 
 def torque_by_model(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> Axes:
@@ -120,9 +110,7 @@ def spin_chart(curves: Sequence[FrictionCurve]) -> Chart:
     return Chart(tuple(series), across, Axis(said("Spin-to-roll ratio"), zero=True))
 
 
-def _lines(
-    curves: Sequence[FrictionCurve],
-) -> list[tuple[Floats, NDArray[np.bool_], str, Look]]:
+def _lines(curves: Sequence[FrictionCurve]) -> list[tuple[Floats, NDArray[np.bool_], str, Look]]:
     """Torque, where it is valid, name and look of every line."""
     own = curves[0]
     lines: list[tuple[Floats, NDArray[np.bool_], str, Look]] = []

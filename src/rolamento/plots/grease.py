@@ -10,8 +10,7 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
 from rolamento.charts.drawing import draw
-from rolamento.charts.frame import add_title
-from rolamento.charts.style import new_figure, styled
+from rolamento.charts.frame import panels
 from rolamento.charts.texts import no_result
 from rolamento.grease.models import MODELS
 from rolamento.units import ZERO_CELSIUS
@@ -36,12 +35,9 @@ def grease_figure(found: GreaseCase) -> Figure:
     found
         What `rolamento.tasks.grease_of_case` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=90.0)
-        life_over_temperature(found, axes)
-        if found.solved.title:
-            add_title(figure, found.solved.title)
-    return figure
+    return panels(
+        lambda axes: life_over_temperature(found, axes), title=found.solved.title, height=90.0
+    )
 
 
 def life_over_temperature(found: GreaseCase, axes: Axes | None = None) -> Axes:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -12,8 +14,8 @@ from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
 from rolamento.charts.drawing import draw
 from rolamento.charts.field_axis import field_axis
-from rolamento.charts.frame import add_title, empty_frame, label_x, label_y, legend_above
-from rolamento.charts.style import new_figure, new_stacked_figure, series, styled
+from rolamento.charts.frame import add_title, empty_frame, label_y, legend_above, panels
+from rolamento.charts.style import new_figure, series, styled
 from rolamento.charts.texts import no_result
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
@@ -45,12 +47,9 @@ def heat_figure(found: HeatBalance) -> Figure:
     found
         What `rolamento.heat.heat_balance` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        heat_balance_curves(found, axes)
-        if found.case.title:
-            add_title(figure, found.case.title)
-    return figure
+    return panels(
+        lambda axes: heat_balance_curves(found, axes), title=found.case.title, height=95.0
+    )
 
 
 def heat_balance_curves(found: HeatBalance, axes: Axes | None = None) -> Axes:
@@ -96,43 +95,36 @@ def heat_over_figure(found: HeatOver) -> Figure:
     found
         What `rolamento.studies.heat_curves.heat_over` gives.
     """
-    with styled():
-        count = 3 if found.has_preload else 2
-        figure, frames = new_stacked_figure(count, height=60.0 * count)
-        if np.isfinite(found.power).any():
-            _temperatures(found, frames[0])
-            _line(found, frames[1], {said("power loss"): found.power}, "W", said("Power loss"))
-            if found.has_preload:
-                frames[1].set_xlabel("")
-                lines = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
-                _line(found, frames[2], lines, "N", said("Preload"))
-        else:
-            for axes in frames:
-                empty_frame(axes, no_result())
-        if found.case.title:
-            add_title(figure, found.case.title)
-    return figure
+    charts = [
+        _temperatures(found),
+        _lines(found, {said("power loss"): found.power}, "W", said("Power loss")),
+    ]
+    if found.has_preload:
+        preloads = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
+        charts.append(_lines(found, preloads, "N", said("Preload")))
+    if not np.isfinite(found.power).any():
+        charts = [nothing(no_result())] * len(charts)
+    drawn = (partial(draw, one, legend=len(one.lines) > 1) for one in charts)
+    return panels(*drawn, title=found.case.title, height=60.0 * len(charts))
 
 
-def _temperatures(found: HeatOver, axes: Axes) -> None:
+def _temperatures(found: HeatOver) -> Chart:
     x = read_values(found.field, found.values)[0]
     lines = (
         Line(x, values - ZERO_CELSIUS, said(PLACE_NAMES[node]), series_look(index))
         for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True))
     )
     across = field_axis(found.field, found.values)
-    draw(Chart(tuple(lines), across, Axis(label=said("Temperature (°C)"))), axes)
-    axes.set_xlabel("")
+    return Chart(tuple(lines), across, Axis(label=said("Temperature (°C)")))
 
 
-def _line(found: HeatOver, axes: Axes, lines: dict[str, FloatArray], unit: str, name: str) -> None:
+def _lines(found: HeatOver, lines: dict[str, FloatArray], unit: str, name: str) -> Chart:
     x = read_values(found.field, found.values)[0]
     read = readable_unit(unit, np.concatenate(list(lines.values())))
     drawn = (Line(x, read.of(values), label, series_look(index))
              for index, (label, values) in enumerate(lines.items()))  # fmt: skip
     upright = Axis(name, read.symbol, zero=True)
-    chart = Chart(tuple(drawn), field_axis(found.field, found.values), upright)
-    draw(chart, axes, legend=len(lines) > 1)
+    return Chart(tuple(drawn), field_axis(found.field, found.values), upright)
 
 
 def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
@@ -144,53 +136,42 @@ def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
         A name, and what `rolamento.heat.heat_transient` gives; of several only the warmest part's
         temperature is drawn.
     """
-    with styled():
-        has_preload = any(found.has_preload for _, found in courses)
-        count = 3 if has_preload else 2
-        figure, frames = new_stacked_figure(count, height=60.0 * count)
-        longest = max(float(found.time[-1]) for _, found in courses)
-        scale, unit = (3600.0, "h") if longest > _HOURS else (60.0, "min")
-        if len(courses) == 1:
-            found = courses[0][1]
-            for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True)):
-                frames[0].plot(
-                    found.time / scale, values - ZERO_CELSIUS, label=said(PLACE_NAMES[node]),
-                    **series(index).keywords(),
-                )  # fmt: skip
-        lines: list[tuple[Axes, str, str, list[FloatArray]]] = [
-            (frames[1], "W", said("Power loss"), [found.power for _, found in courses])
-        ]
-        if has_preload:
-            preloads = [found.preload for _, found in courses]
-            lines.append((frames[2], "N", said("Preload"), preloads))
-        for axes, own_unit, name, values in lines:
-            read = readable_unit(own_unit, np.concatenate(values))
-            for index, ((label, found), own) in enumerate(zip(courses, values, strict=True)):
-                axes.plot(found.time / scale, read.of(own), label=label, **series(index).keywords())
-            axes.set_ylim(bottom=0.0)
-            label_y(axes, read.label(name))
-        if len(courses) > 1:
-            for index, (label, found) in enumerate(courses):
-                warmest = found.temperatures.max(axis=0) - ZERO_CELSIUS
-                frames[0].plot(found.time / scale, warmest, label=label, **series(index).keywords())
-            label_y(frames[0], said("Warmest part (°C)"))
-        else:
-            label_y(frames[0], said("Temperature (°C)"))
-        if has_preload:
-            for found in (one for _, one in courses if one.has_preload):
-                read = readable_unit("N", found.preload)
-                largest, when = found.largest_preload
-                frames[2].plot(
-                    when / scale, read.of(largest), linestyle="none", marker="o", markersize=5.0,
-                    color="#000000", zorder=5,
-                )  # fmt: skip
-        legend_above(frames[0])
-        for axes in frames:
-            axes.set_xlim(0.0, longest / scale)
-        label_x(frames[-1], said("Time ({unit})", unit=unit))
-        if courses[0][1].case.title:
-            add_title(figure, courses[0][1].case.title)
-    return figure
+    longest = max(float(found.time[-1]) for _, found in courses)
+    scale, unit = (3600.0, "h") if longest > _HOURS else (60.0, "min")
+    across = Axis(label=said("Time ({unit})", unit=unit), limits=(0.0, longest / scale))
+
+    def chart(values: Sequence[tuple[str, FloatArray, FloatArray]], upright: Axis) -> Chart:
+        lines = (Line(time / scale, own, label, series_look(index))
+                 for index, (label, time, own) in enumerate(values))  # fmt: skip
+        return Chart(tuple(lines), across, upright)
+
+    def course(unit: str, name: str, values: list[FloatArray]) -> Chart:
+        read = readable_unit(unit, np.concatenate(values))
+        named = zip(courses, values, strict=True)
+        lines = [(label, found.time, read.of(own)) for (label, found), own in named]
+        return chart(lines, Axis(label=read.label(name), zero=True))
+
+    alone = courses[0][1]
+    warmest = [(label, found.time, found.temperatures.max(axis=0) - ZERO_CELSIUS)
+               for label, found in courses]  # fmt: skip
+    nodes = [(said(PLACE_NAMES[node]), alone.time, values - ZERO_CELSIUS)
+             for node, values in zip(NODES, alone.temperatures, strict=True)]  # fmt: skip
+    charts = [
+        chart(warmest, Axis(label=said("Warmest part (°C)")))
+        if len(courses) > 1
+        else chart(nodes, Axis(label=said("Temperature (°C)"))),
+        course("W", said("Power loss"), [found.power for _, found in courses]),
+    ]
+    if any(found.has_preload for _, found in courses):
+        preloads = [found.preload for _, found in courses]
+        read = readable_unit("N", np.concatenate(preloads))
+        peaks = [found.largest_preload for _, found in courses if found.has_preload]
+        largest, when = map(np.array, zip(*peaks, strict=True))
+        peak = Line(when / scale, read.of(largest), "", Look("ink"), "points")
+        shown = course("N", said("Preload"), preloads)
+        charts.append(replace(shown, series=(*shown.series, peak)))
+    drawn = (partial(draw, one, legend=one is charts[0]) for one in charts)
+    return panels(*drawn, title=alone.case.title, height=60.0 * len(charts))
 
 
 def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
@@ -201,12 +182,11 @@ def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
     variants
         What `rolamento.heat.answers.variants_of` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        draw(variants_chart(variants), axes)
-        if variants[0].balance.case.title:
-            add_title(figure, variants[0].balance.case.title)
-    return figure
+    return panels(
+        lambda axes: draw(variants_chart(variants), axes),
+        title=variants[0].balance.case.title,
+        height=95.0,
+    )
 
 
 def variants_chart(variants: Sequence[HeatVariant]) -> Chart:

@@ -10,7 +10,7 @@ import numpy as np
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, series_look
 from rolamento.charts.drawing import draw
-from rolamento.charts.frame import GREY, label_y, legend_above
+from rolamento.charts.frame import GREY, label_y, legend_above, panels
 from rolamento.charts.style import new_figure, series, styled
 from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis import DAMAGE
@@ -67,10 +67,7 @@ def records_figure(
     changes
         Places of the first records of a new level, by part.
     """
-    with styled():
-        figure, axes = new_figure(height=80.0)
-        draw(records_chart(depths, changes), axes)
-    return figure
+    return panels(lambda axes: draw(records_chart(depths, changes), axes), height=80.0)
 
 
 def records_chart(depths: Mapping[str, FloatArray], changes: Mapping[str, Sequence[int]]) -> Chart:

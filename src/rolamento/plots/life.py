@@ -19,13 +19,13 @@ from rolamento.charts.drawing import draw
 from rolamento.charts.field_axis import field_axis
 from rolamento.charts.frame import (
     GREY,
-    add_title,
     empty_frame,
     label_x,
     label_y,
     legend_above,
     legend_in_columns,
     log_scale,
+    panels,
 )
 from rolamento.charts.style import SERIES, in_style, new_figure, styled
 from rolamento.charts.texts import capitalised, no_result, no_result_count, number, theory_label
@@ -88,12 +88,9 @@ def life_figure(curves: Sequence[LifeCurve]) -> Figure:
     curves
         The case's own first, then its variants; over one field.
     """
-    with styled():
-        figure, axes = new_figure(height=110.0)
-        lives_by_theory(curves, axes)
-        if curves[0].case.title:
-            add_title(figure, curves[0].case.title)
-    return figure
+    return panels(
+        lambda axes: lives_by_theory(curves, axes), title=curves[0].case.title, height=110.0
+    )
 
 
 def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Axes:
@@ -224,12 +221,11 @@ class BearingTests(NamedTuple):
 
 def sn_figure(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Figure:
     """Draw life over load, as `load_over_life`, with the case's title."""
-    with styled():
-        figure, axes = new_figure(height=115.0)
-        load_over_life(lives, axes, by=by, tests=tests)
-        if lives.case.title:
-            add_title(figure, lives.case.title)
-    return figure
+    return panels(
+        lambda axes: load_over_life(lives, axes, by=by, tests=tests),
+        title=lives.case.title,
+        height=115.0,
+    )
 
 
 def load_over_life(
@@ -370,12 +366,7 @@ def aiso_chart(summary: LifeSummary | None = None, axes: Axes | None = None) -> 
 
 def load_zone_figure(life: ZoneLife) -> Figure:
     """Draw life over the load zone, as `life_over_zone`, with the case's title."""
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        life_over_zone(life, axes)
-        if life.case.title:
-            add_title(figure, life.case.title)
-    return figure
+    return panels(lambda axes: life_over_zone(life, axes), title=life.case.title, height=95.0)
 
 
 def life_over_zone(life: ZoneLife, axes: Axes | None = None) -> Axes:
@@ -410,12 +401,11 @@ def life_over_zone(life: ZoneLife, axes: Axes | None = None) -> Axes:
 
 def helps_figure(changes: Sequence[Change], title: str = "") -> Figure:
     """Draw what would help, as `what_helps`, with a title."""
-    with styled():
-        figure, axes = new_figure(height=24.0 + 9.0 * max(len(changes), 2))
-        what_helps(changes, axes)
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(
+        lambda axes: what_helps(changes, axes),
+        title=title,
+        height=24.0 + 9.0 * max(len(changes), 2),
+    )
 
 
 def what_helps(changes: Sequence[Change], axes: Axes | None = None) -> Axes:

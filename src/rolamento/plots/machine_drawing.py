@@ -391,11 +391,7 @@ def _coaxial(machine: Machine) -> list[tuple[str, ...]]:
     for one, other in combinations(machine.shafts, 2):
         if _fits(one, other) or _fits(other, one):
             join(one.name, other.name)
-    return [
-        names
-        for lead in axis
-        if (names := tuple(name for name in axis if axis[name] == lead))
-    ]  # fmt: skip
+    return [names for lead in axis if (names := tuple(name for name in axis if axis[name] == lead))]
 
 
 def _fits(within: Shaft, hollow: Shaft) -> bool:
@@ -498,8 +494,7 @@ class _Pen:
             Rectangle((MM * left, bottom), MM * (right - left), MM * max(high - low, 0.0), **look)
         )
 
-    def _line(self, x: Sequence[float], y: Sequence[float], side: float = 1.0,
-              **look: Any) -> None:  # fmt: skip
+    def _line(self, x: Sequence[float], y: Sequence[float], side: float = 1.0, **look: Any) -> None:
         look = {"color": "black", "linewidth": 0.7, "zorder": 5.0, **look}
         away = [self.middle + side * MM * one for one in y]
         self.axes.plot([MM * one for one in x], away, **look)
@@ -514,9 +509,8 @@ class _Pen:
                 corners = np.array([(x, a), (x, left), (end, right), (end, z)]) * (MM, side * MM)
                 corners[:, 1] += self.middle
                 self.axes.add_patch(
-                    Polygon(corners, facecolor=_SHAFT, edgecolor="none",
-                            zorder=depth)
-                )  # fmt: skip
+                    Polygon(corners, facecolor=_SHAFT, edgecolor="none", zorder=depth)
+                )
                 self._line((x, end), (left, right), side, linewidth=0.8, zorder=depth + 0.01)
                 if a or z:
                     self._line((x, end), (a, z), side, linewidth=0.6, linestyle="--",
@@ -756,9 +750,8 @@ _CLEAR: Final[dict[str, Any]] = {"facecolor": "white", "edgecolor": "none", "pad
 
 
 def _roller(
-    x: float, radius: float, size: float, length: float, lean: float, *,
-    taper: float, barrels: bool,
-) -> list[tuple[float, float]]:  # fmt: skip
+    x: float, radius: float, size: float, length: float, lean: float, *, taper: float, barrels: bool
+) -> list[tuple[float, float]]:
     """Outline of a roller above the axis: x and distance from it.
 
     taper: how fast its radius shrinks along its own axis.

@@ -9,15 +9,7 @@ from matplotlib.figure import Figure
 
 from rolamento.charts.frame import label_x
 from rolamento.charts.style import MILLIMETRE, in_style
-from rolamento.plots.machine_drawing import (
-    ACROSS,
-    MM,
-    Lane,
-    Plan,
-    draw_planned,
-    place_of,
-    planned,
-)
+from rolamento.plots.machine_drawing import ACROSS, MM, Lane, Plan, draw_planned, place_of, planned
 from rolamento.words import said
 
 if TYPE_CHECKING:

@@ -9,8 +9,7 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, Zone, nothing, series_look
 from rolamento.charts.drawing import draw
-from rolamento.charts.frame import add_title
-from rolamento.charts.style import new_figure, styled
+from rolamento.charts.frame import panels
 from rolamento.charts.texts import no_result
 from rolamento.units import DEGREES
 from rolamento.words import said
@@ -31,12 +30,7 @@ def oscillation_figure(found: OscillationCase) -> Figure:
     found
         What `rolamento.tasks.life_in_oscillation` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=90.0)
-        life_over_angle(found, axes)
-        if found.solved.title:
-            add_title(figure, found.solved.title)
-    return figure
+    return panels(lambda axes: life_over_angle(found, axes), title=found.solved.title, height=90.0)
 
 
 def life_over_angle(found: OscillationCase, axes: Axes | None = None) -> Axes:

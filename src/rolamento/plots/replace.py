@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.charts.frame import GREY, label_x, label_y, legend_above
+from rolamento.charts.frame import GREY, label_x, label_y, legend_above, panels
 from rolamento.charts.style import INNER, OUTER, new_figure, styled
 from rolamento.charts.texts import number, shown_text
 from rolamento.words import said
@@ -31,10 +31,7 @@ _LONGEST_UNIT: Final = 12
 
 def remaining_life_figure(found: RemainingLife) -> Figure:
     """Draw the chance of running on, as `remaining_life_curve`, on a figure of its own."""
-    with styled():
-        figure, axes = new_figure(height=_HEIGHT)
-        remaining_life_curve(found, axes)
-    return figure
+    return panels(lambda axes: remaining_life_curve(found, axes), height=_HEIGHT)
 
 
 def remaining_life_curve(found: RemainingLife, axes: Axes | None = None) -> Axes:
@@ -83,10 +80,7 @@ def remaining_life_curve(found: RemainingLife, axes: Axes | None = None) -> Axes
 
 def cost_of_ages_figure(found: AgeReplacement, currency: str = "") -> Figure:
     """Draw what replacing at an age costs, as `cost_of_ages`, on a figure of its own."""
-    with styled():
-        figure, axes = new_figure(height=_HEIGHT)
-        cost_of_ages(found, axes, currency=currency)
-    return figure
+    return panels(lambda axes: cost_of_ages(found, axes, currency=currency), height=_HEIGHT)
 
 
 def cost_of_ages(found: AgeReplacement, axes: Axes | None = None, *, currency: str = "") -> Axes:
@@ -135,10 +129,7 @@ def cost_of_ages(found: AgeReplacement, axes: Axes | None = None, *, currency: s
 
 def fleet_failures_figure(found: FleetForecast) -> Figure:
     """Draw the failures of a fleet, as `fleet_failures`, on a figure of its own."""
-    with styled():
-        figure, axes = new_figure(height=_HEIGHT)
-        fleet_failures(found, axes)
-    return figure
+    return panels(lambda axes: fleet_failures(found, axes), height=_HEIGHT)
 
 
 def fleet_failures(found: FleetForecast, axes: Axes | None = None) -> Axes:

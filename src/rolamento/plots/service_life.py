@@ -9,13 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator
 
-from rolamento.charts.frame import (
-    add_title,
-    empty_frame,
-    label_x,
-    legend_above,
-    log_scale,
-)
+from rolamento.charts.frame import empty_frame, label_x, legend_above, log_scale, panels
 from rolamento.charts.style import new_figure, series, styled
 from rolamento.charts.texts import no_result
 from rolamento.words import said
@@ -43,12 +37,11 @@ def service_life_figure(found: ServiceLife) -> Figure:
     found
         What `rolamento.tasks.service_life` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=38.0 + 11.0 * max(len(found.endings), 2))
-        time_line(found, axes)
-        if found.solved.title:
-            add_title(figure, found.solved.title)
-    return figure
+    return panels(
+        lambda axes: time_line(found, axes),
+        title=found.solved.title,
+        height=38.0 + 11.0 * max(len(found.endings), 2),
+    )
 
 
 def time_line(found: ServiceLife, axes: Axes | None = None) -> Axes:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from matplotlib.figure import Figure
 
-from rolamento.charts.frame import GREY, add_title, label_x, label_y
+from rolamento.charts.frame import GREY, add_title, label_x, label_y, panels
 from rolamento.charts.style import new_figure, styled
 from rolamento.charts.texts import shown_text
 from rolamento.plots.growth import growth_lines
@@ -39,12 +39,11 @@ def severity_figure(
     title: str = "",
 ) -> Figure:
     """Draw velocities on zones, as `zone_bars`, with a title."""
-    with styled():
-        figure, axes = new_figure(height=38.0 + 16.0 * len(classes))
-        zone_bars(measured, classes, axes, setting=setting)
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(
+        lambda axes: zone_bars(measured, classes, axes, setting=setting),
+        title=title,
+        height=38.0 + 16.0 * len(classes),
+    )
 
 
 def zone_bars(

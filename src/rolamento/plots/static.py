@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -11,8 +12,7 @@ from matplotlib.figure import Figure
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
 from rolamento.charts.axes_units import readable_unit
 from rolamento.charts.drawing import draw
-from rolamento.charts.frame import add_title
-from rolamento.charts.style import new_figure, new_stacked_figure, styled
+from rolamento.charts.frame import panels
 from rolamento.charts.texts import no_result
 from rolamento.words import said
 
@@ -33,20 +33,9 @@ def static_figure(curve: LoadCurve) -> Figure:
     curve
         What `rolamento.safety.static_over_load` gives.
     """
-    rows = curve.gap.shape[1]
-    with styled():
-        if rows > 1:
-            figure, frames = new_stacked_figure(2, height=140.0)
-        else:
-            figure, one = new_figure(height=95.0)
-            frames = (one,)
-        draw(_safety(curve), frames[0])
-        if rows > 1:
-            frames[0].set_xlabel("")
-            draw(_gaps(curve), frames[1])
-        if curve.case.title:
-            add_title(figure, curve.case.title)
-    return figure
+    charts = [_safety(curve), *([_gaps(curve)] if curve.gap.shape[1] > 1 else [])]
+    drawn = [partial(draw, chart) for chart in charts]
+    return panels(*drawn, title=curve.case.title, height=140.0 if len(drawn) > 1 else 95.0)
 
 
 def _safety(curve: LoadCurve) -> Chart:

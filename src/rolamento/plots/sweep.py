@@ -82,11 +82,7 @@ def telling_kind(study: StudyData, variable: str = "") -> str:
 
 @in_style
 def study_lines(
-    study: StudyData,
-    variable: str = "",
-    axes: Axes | None = None,
-    *,
-    over: str = "",
+    study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
     """Draw an output over one axis of a study; of further axes, a line for each of their values.
 
@@ -184,11 +180,7 @@ def compared_lines(
 
 @in_style
 def study_map(
-    study: StudyData,
-    variable: str = "",
-    axes: Axes | None = None,
-    *,
-    over: str = "",
+    study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
     """Draw an output over two axes of a study as a map of colours; no result is hatched.
 
@@ -514,11 +506,7 @@ def _edges(values: Floats) -> Floats:
 
 
 @in_style
-def study_histogram(
-    study: StudyData,
-    variable: str = "",
-    axes: Axes | None = None,
-) -> Axes:
+def study_histogram(study: StudyData, variable: str = "", axes: Axes | None = None) -> Axes:
     """Draw how an output is distributed over the samples, with median and percentiles.
 
     Parameters
@@ -634,11 +622,7 @@ def _samples_by_label(
 
 @in_style
 def study_scatter(
-    study: StudyData,
-    variable: str = "",
-    axes: Axes | None = None,
-    *,
-    over: str = "",
+    study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
     """Draw an output of every sample over an input, with median and percentiles of the output.
 

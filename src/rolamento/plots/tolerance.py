@@ -80,12 +80,7 @@ def tolerance_figure(study: ToleranceStudy) -> Figure:
     return figure
 
 
-def _distribution(
-    axes: Axes,
-    values: Floats,
-    bands: ToleranceBands,
-    band: ToleranceBand,
-) -> None:
+def _distribution(axes: Axes, values: Floats, bands: ToleranceBands, band: ToleranceBand) -> None:
     axes.set_title(shown_text(_name(band.name, band.long_name), 60), loc="left", parse_math=False)
     there = values[np.isfinite(values)]
     if not there.size:
@@ -103,12 +98,7 @@ def _distribution(
         empty_frame(axes, said("does not vary: {value}", value=value))
         return
     axes.hist(
-        drawn,
-        bins=bins,
-        weights=weights,
-        facecolor=_FILL,
-        edgecolor=series(0).color,
-        linewidth=0.5,
+        drawn, bins=bins, weights=weights, facecolor=_FILL, edgecolor=series(0).color, linewidth=0.5
     )
     for percent, value, low, high in zip(
         bands.percentiles, band.percentile, band.low, band.high, strict=True

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.charts.frame import add_title, empty_frame, label_x, label_y, legend_above
-from rolamento.charts.style import new_figure, new_stacked_figure, series, styled
+from rolamento.charts.frame import empty_frame, label_x, label_y, legend_above, panels
+from rolamento.charts.style import new_figure, series, styled
 from rolamento.charts.texts import capitalised, no_result, shown_text
 from rolamento.words import marked, said
 
@@ -45,20 +46,14 @@ def trend_figure(
     of the quantity.
     """
     count = len(trend.quantities)
-    with styled():
-        if count == 1:
-            figure, axes = new_figure(height=_HEIGHT)
-            panels: tuple[Axes, ...] = (axes,)
-        else:
-            figure, panels = new_stacked_figure(count, height=25.0 + _PANEL * count)
-        for quantity, axes in enumerate(panels):
-            own = {name: one for (name, place), one in (limits or {}).items() if place == quantity}
-            trend_lines(trend, quantity, axes, fits=fits, limits=own, legend=not quantity)
-        for axes in panels[:-1]:
-            axes.set_xlabel("")
-        if trend.title:
-            add_title(figure, trend.title)
-    return figure
+
+    def lines(quantity: int, axes: Axes) -> None:
+        own = {name: one for (name, place), one in (limits or {}).items() if place == quantity}
+        trend_lines(trend, quantity, axes, fits=fits, limits=own, legend=not quantity)
+
+    height = _HEIGHT if count == 1 else 25.0 + _PANEL * count
+    drawn = (partial(lines, quantity) for quantity in range(count))
+    return panels(*drawn, title=trend.title, height=height)
 
 
 def trend_lines(
@@ -130,12 +125,7 @@ def _limits(axes: Axes, trend: Trend, limits: Mapping[str, Forecast]) -> None:
 
 
 def _bearing(
-    axes: Axes,
-    trend: Trend,
-    quantity: int,
-    index: int,
-    name: str,
-    fit: WearFit | None,
+    axes: Axes, trend: Trend, quantity: int, index: int, name: str, fit: WearFit | None
 ) -> None:
     look, (times, values) = series(index), trend.of_bearing(name, quantity)
     keywords: dict[str, Any] = {"color": look.color, "marker": look.marker, "zorder": 3.0}

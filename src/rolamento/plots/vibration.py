@@ -22,6 +22,7 @@ from rolamento.charts.frame import (
     label_y,
     legend_above,
     legend_in_columns,
+    panels,
 )
 from rolamento.charts.style import INNER, Series, new_figure, new_stacked_figure, series, styled
 from rolamento.charts.texts import number, numbers, shown_text
@@ -83,12 +84,11 @@ def diagnosis_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -
 
 def impacts_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -> Figure:
     """Draw the waveform of a diagnosis: of a fault a few periods, with its impacts marked."""
-    with styled():
-        figure, axes = new_figure(height=70.0)
-        waveform(signal, axes, **_of_fault(signal, diagnosis))
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(
+        lambda axes: waveform(signal, axes, **_of_fault(signal, diagnosis)),
+        title=title,
+        height=70.0,
+    )
 
 
 def _of_fault(signal: Signal, diagnosis: Diagnosis) -> dict[str, Any]:
@@ -113,12 +113,9 @@ def waveform_figure(
     title: str = "",
 ) -> Figure:
     """Draw a waveform, as `waveform`, with a title."""
-    with styled():
-        figure, axes = new_figure(height=70.0)
-        waveform(signal, axes, period=period, span=span)
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(
+        lambda axes: waveform(signal, axes, period=period, span=span), title=title, height=70.0
+    )
 
 
 def waveform(
@@ -249,10 +246,7 @@ def kurtogram_of(signal: Signal) -> Kurtogram | None:
 
 
 def kurtogram_figure(
-    signal: Signal,
-    *,
-    band: tuple[float, float] | None = None,
-    title: str = "",
+    signal: Signal, *, band: tuple[float, float] | None = None, title: str = ""
 ) -> Figure:
     """Draw the kurtogram of a signal.
 
@@ -265,19 +259,13 @@ def kurtogram_figure(
     title
         Over the figure.
     """
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        kurtogram_map(kurtogram_of(signal), axes, band=band)
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(
+        lambda axes: kurtogram_map(kurtogram_of(signal), axes, band=band), title=title, height=95.0
+    )
 
 
 def kurtogram_map(
-    found: Kurtogram | None,
-    axes: Axes | None = None,
-    *,
-    band: tuple[float, float] | None = None,
+    found: Kurtogram | None, axes: Axes | None = None, *, band: tuple[float, float] | None = None
 ) -> Axes:
     """Draw a kurtogram: a row for each bandwidth, a frame about the band that stands out most.
 
@@ -324,11 +312,7 @@ def _label_levels(axes: Axes, found: Kurtogram) -> None:
     axes.set_ylabel(said("Bandwidth (Hz)"), parse_math=False)
 
 
-def _frames(
-    axes: Axes,
-    found: Kurtogram,
-    band: tuple[float, float] | None,
-) -> None:
+def _frames(axes: Axes, found: Kurtogram, band: tuple[float, float] | None) -> None:
     """Frame the band that stands out most in its row; show the given one across all rows.
 
     By its significance: of thousands of narrow bands one is always impulsive by chance.
@@ -400,19 +384,11 @@ def line_threshold(diagnosis: Diagnosis) -> float:
 
 def envelope_figure(diagnosis: Diagnosis, *, band: int | None = None, title: str = "") -> Figure:
     """Draw the spectrum of the squared envelope of a band, as `envelope_lines`, with a title."""
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        envelope_lines(diagnosis, axes, band=band)
-        if title:
-            add_title(figure, title)
-    return figure
+    return panels(lambda axes: envelope_lines(diagnosis, axes, band=band), title=title, height=95.0)
 
 
 def envelope_lines(
-    diagnosis: Diagnosis,
-    axes: Axes | None = None,
-    *,
-    band: int | None = None,
+    diagnosis: Diagnosis, axes: Axes | None = None, *, band: int | None = None
 ) -> Axes:
     """Draw the squared envelope's spectrum in a band, with the frequencies of the bearing.
 
@@ -482,12 +458,7 @@ def _mark_shaft(axes: Axes, diagnosis: Diagnosis) -> None:
 
 
 def _mark_component(
-    axes: Axes,
-    diagnosis: Diagnosis,
-    part: Component,
-    look: Series,
-    drawn: _Drawn,
-    threshold: float,
+    axes: Axes, diagnosis: Diagnosis, part: Component, look: Series, drawn: _Drawn, threshold: float
 ) -> None:
     hertz, level, mark = drawn
     verdict, name = diagnosis.of(part), part_name(part, diagnosis.element)

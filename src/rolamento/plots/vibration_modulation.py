@@ -28,12 +28,7 @@ _WIDTH: Final = 0.26
 
 
 def modulation_figure(
-    amplitude: Signal,
-    frequency: Signal,
-    line: float,
-    band: Band,
-    *,
-    title: str = "",
+    amplitude: Signal, frequency: Signal, line: float, band: Band, *, title: str = ""
 ) -> Figure:
     """Draw two signals with their envelopes, and the lines of these.
 
@@ -93,11 +88,7 @@ def envelope_depths(signal: Signal, line: float, band: Band | None = None) -> Fl
 
 
 def _waveform(
-    axes: Axes,
-    signal: Signal,
-    line: float,
-    band: Band,
-    names: tuple[str, str, str],
+    axes: Axes, signal: Signal, line: float, band: Band, names: tuple[str, str, str]
 ) -> None:
     """Draw a few periods from the middle of a signal, with its envelopes."""
     from rolamento.vibration.demodulation import envelope

@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator, NullLocator
 from numpy.typing import NDArray
 
-from rolamento.charts.frame import GREY, add_title, decades, empty_frame, legend_in_columns
+from rolamento.charts.frame import GREY, decades, empty_frame, legend_in_columns, panels
 from rolamento.charts.style import Series, new_figure, series, styled
 from rolamento.charts.texts import no_result, number, shown_text
 from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
@@ -85,18 +85,15 @@ def weibull_figure(summary: LifeTestSummary, bands: Mapping[str, Band] | None = 
     entries = len(summary.groups) + len(summary.request.calculated) + 4
     entries += 2 * (summary.system is not None)
     entries += any(group.goodness.bent is not None for group in summary.groups)
-    with styled():
-        figure, axes = new_figure(height=_HEIGHT + _LEGEND_LINE * (entries // 2))
-        weibull_paper(summary, bands, axes)
-        if summary.test.title:
-            add_title(figure, summary.test.title)
-    return figure
+    return panels(
+        lambda axes: weibull_paper(summary, bands, axes),
+        title=summary.test.title,
+        height=_HEIGHT + _LEGEND_LINE * (entries // 2),
+    )
 
 
 def weibull_paper(
-    summary: LifeTestSummary,
-    bands: Mapping[str, Band] | None = None,
-    axes: Axes | None = None,
+    summary: LifeTestSummary, bands: Mapping[str, Band] | None = None, axes: Axes | None = None
 ) -> Axes:
     """Draw failures, suspensions, fitted lines and their bounds on probability paper.
 
@@ -214,12 +211,7 @@ def _line(fit: WeibullFit, upright: tuple[float, float]) -> tuple[Floats, Floats
     return fit.life_at_ordinate(ordinate), ordinate
 
 
-def _draw_band(
-    axes: Axes,
-    band: Band,
-    look: Series,
-    across: tuple[float, float],
-) -> None:
+def _draw_band(axes: Axes, band: Band, look: Series, across: tuple[float, float]) -> None:
     """Fill between the bounds of the lives; draw those of one side alone."""
     ordinate, confidence = plot_ordinate(band.failed_share), number(100.0 * band.confidence)
     if band.sides != "two":
@@ -247,9 +239,7 @@ def _draw_band(
 
 
 def _other_fits(
-    axes: Axes,
-    group: GroupSummary,
-    limits: tuple[tuple[float, float], tuple[float, float]],
+    axes: Axes, group: GroupSummary, limits: tuple[tuple[float, float], tuple[float, float]]
 ) -> None:
     others = [fit for fit in group.fits[1:] if fit.converged]
     for fit, line in zip(others, _OTHERS, strict=False):
@@ -260,13 +250,7 @@ def _other_fits(
         )  # fmt: skip
 
 
-def _at_the_foot(
-    axes: Axes,
-    test: LifeTest,
-    look: Series,
-    index: int,
-    label: str | None,
-) -> None:
+def _at_the_foot(axes: Axes, test: LifeTest, look: Series, index: int, label: str | None) -> None:
     """Mark suspended bearings and failures between inspections along the axis.
 
     label: of the group, where neither line nor points have it.
@@ -362,18 +346,15 @@ def contour_figure(summary: LifeTestSummary, regions: Mapping[str, LikelihoodReg
     entries = (
         len(summary.groups) + len(summary.groups[0].fits) + len(summary.request.calculated) + 3
     )
-    with styled():
-        figure, axes = new_figure(height=_CONTOUR_HEIGHT + _LEGEND_LINE * (entries // 2))
-        likelihood_contour(summary, regions, axes)
-        if summary.test.title:
-            add_title(figure, summary.test.title)
-    return figure
+    return panels(
+        lambda axes: likelihood_contour(summary, regions, axes),
+        title=summary.test.title,
+        height=_CONTOUR_HEIGHT + _LEGEND_LINE * (entries // 2),
+    )
 
 
 def likelihood_contour(
-    summary: LifeTestSummary,
-    regions: Mapping[str, LikelihoodRegion],
-    axes: Axes | None = None,
+    summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion], axes: Axes | None = None
 ) -> Axes:
     """Draw the regions within which shape and life lie with 50, 90 and 95 %.
 
@@ -421,10 +402,7 @@ def likelihood_contour(
 
 
 def _draw_region(
-    axes: Axes,
-    region: LikelihoodRegion,
-    group: GroupSummary,
-    index: int,
+    axes: Axes, region: LikelihoodRegion, group: GroupSummary, index: int
 ) -> list[Line2D]:
     """Draw one group's regions, the innermost darkest; return what stands for them."""
     look, levels = series(index), sorted(region.levels)
@@ -448,12 +426,9 @@ def _draw_region(
     name = f"{shown_text(group.name, 24)}: " if group.name else ""
     keywords: dict[str, Any] = {"color": look.color, "linewidth": 1.1}
     return [
-        Line2D(
-            [], [], linestyle=style, **keywords,
-            label=f"{name}{number(100.0 * probability)} %",
-        )
+        Line2D([], [], linestyle=style, **keywords, label=f"{name}{number(100.0 * probability)} %")
         for probability, style in zip(sorted(region.probabilities), styles, strict=True)
-    ]  # fmt: skip
+    ]
 
 
 def _mark_estimates(
@@ -474,9 +449,7 @@ def _mark_estimates(
 
 
 def _lines_of_calculated(
-    axes: Axes,
-    summary: LifeTestSummary,
-    region: LikelihoodRegion,
+    axes: Axes, summary: LifeTestSummary, region: LikelihoodRegion
 ) -> list[Line2D]:
     """Draw calculated lives, where the regions are of the life that they are for."""
     if summary.request.lives[0].name != region.quantity.name:
@@ -492,11 +465,7 @@ def _lines_of_calculated(
     return handles
 
 
-def _set_axes(
-    axes: Axes,
-    regions: Sequence[LikelihoodRegion],
-    handles: list[Line2D],
-) -> None:
+def _set_axes(axes: Axes, regions: Sequence[LikelihoodRegion], handles: list[Line2D]) -> None:
     shapes = [float(shape) for region in regions for shape in region.shape[[0, -1]]]
     lives = [float(life) for region in regions for life in region.life[[0, -1]]]
     # lines and marks beyond the regions widen the frame, but by little

@@ -16,6 +16,7 @@ from rolamento.charts.frame import (
     label_x,
     label_y,
     legend_above,
+    panels,
 )
 from rolamento.charts.style import new_figure, series, styled
 from rolamento.charts.texts import no_result, number, shown_text
@@ -37,17 +38,10 @@ _ASIDE: Final = 0.006
 
 def chance_figure(plans: Sequence[Demonstration], unit: str) -> Figure:
     """Draw chances of passing, as `chance_of_passing`, on a figure of their own."""
-    with styled():
-        figure, axes = new_figure(height=_HEIGHT)
-        chance_of_passing(plans, unit, axes)
-    return figure
+    return panels(lambda axes: chance_of_passing(plans, unit, axes), height=_HEIGHT)
 
 
-def chance_of_passing(
-    plans: Sequence[Demonstration],
-    unit: str,
-    axes: Axes | None = None,
-) -> Axes:
+def chance_of_passing(plans: Sequence[Demonstration], unit: str, axes: Axes | None = None) -> Axes:
     """Draw the chance of passing over the true life, one line a test.
 
     Parameters
@@ -94,11 +88,7 @@ def cost_figure(plans: Sequence[LifeTestPlan], unit: str) -> Figure:
     return figure
 
 
-def cost_of_precision(
-    plans: Sequence[LifeTestPlan],
-    unit: str,
-    axes: Axes | None = None,
-) -> Axes:
+def cost_of_precision(plans: Sequence[LifeTestPlan], unit: str, axes: Axes | None = None) -> Axes:
     """Draw the duration of tests over the bearings that they take.
 
     Parameters

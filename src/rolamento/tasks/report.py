@@ -241,7 +241,7 @@ class CaseReport:
             "title": self.case.title,
             "checksum": self.checksum,
             "inputs": [asdict(one) for one in self.inputs],
-            "extremes": _extremes(self.analysis) if self.converged else None,
+            "extremes": self._extremes if self.converged else None,
             "checks": [{**asdict(one), "met": one.met} for one in self.checks],
             "clearance": self._chain,
             **self._ends,
@@ -251,31 +251,8 @@ class CaseReport:
 
     def number(self, path: str) -> float | None:
         """Return a number of `numbers` by its dotted path; None where there is none."""
-        if path not in self._known:
-            self._known[path] = self._number(path)
-        return self._known[path]
-
-    @cached_property
-    def _known(self) -> dict[str, float | None]:
-        return {}
-
-    def _number(self, path: str) -> float | None:
-        first, _, rest = path.partition(".")
-        second, _, below = rest.partition(".")
-        found: Any
-        if first == "analysis" and second == "film" and below in self._film:
-            found, rest = self._film, below
-        elif first == "analysis" and second == "life" and below.partition(".")[0] in self._life:
-            found, rest = self._life, below
-        elif first == "analysis" and second in _WITHOUT_ELEMENTS:
-            found, rest = self._part(second), below
-        elif first == "extremes" and second in _BRIEF:
-            found = self._brief
-        elif first == "clearance":
-            found = self._chain
-        else:
-            found, rest = self.numbers, path
-        for part in rest.split("."):
+        found: Any = self.numbers
+        for part in path.split("."):
             if isinstance(found, list) and part.isdigit() and int(part) < len(found):
                 found = found[int(part)]
             elif isinstance(found, Mapping):
@@ -285,27 +262,10 @@ class CaseReport:
         known = isinstance(found, int | float) and not isinstance(found, bool)
         return float(found) if known else None
 
-    def _part(self, name: str) -> Any:
-        """A part of the analysis in `numbers`, which alone takes a fraction of all of it."""
-        if name not in self._parts:
-            self._parts[name] = plain(self.analysis.part(name))
-        return self._parts[name]
-
-    @cached_property
-    def _film(self) -> Mapping[str, Any]:
-        """Part of the film without its elements."""
-        return {} if self.analysis.film is None else self.analysis.film.whole()
-
-    @cached_property
-    def _life(self) -> Mapping[str, Any]:
-        """Part of the life without the single theories."""
-        life = self.analysis.life
-        found: Mapping[str, Any] = {} if life is None else plain(life.whole())
-        return found
-
-    @cached_property
-    def _parts(self) -> dict[str, Any]:
-        return {}
+    def extreme(self, name: str) -> float | None:
+        """Return a number of the heaviest contacts by its name; None where there is none."""
+        value = (self._brief if name in _BRIEF else self._extremes).get(name)
+        return None if value is None else float(value)
 
     @cached_property
     def _chain(self) -> Any:
@@ -315,6 +275,10 @@ class CaseReport:
     def _ends(self) -> Mapping[str, Any]:
         found = self.service_life
         return {} if found is None else {"service_life": plain(found.to_mapping())}
+
+    @cached_property
+    def _extremes(self) -> Mapping[str, Any]:
+        return _extremes(self.analysis) if self.converged else {}
 
     @cached_property
     def _brief(self) -> Mapping[str, Any]:
@@ -855,10 +819,6 @@ def _compares(path: str) -> bool:
 
 
 _BRIEF: Final = ("max_pressure", "film_parameter", "load_ratio")
-_WITHOUT_ELEMENTS: Final = (
-    "film", "friction", "life", "frequencies", "stiffness", "preload", "rolling", "displacement",
-    "load", "status",
-)  # fmt: skip
 _OF_FILM: Final = (
     "central_thickness", "minimum_thickness", "film_parameter", "entrainment_speed",
     "thermal_factor", "starvation_factor",

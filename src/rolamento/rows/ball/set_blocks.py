@@ -32,7 +32,7 @@ from rolamento.status import TOLERANCE as TOLERANCE_OF_ROWS
 
 STATIC_STEPS: Final = 16
 MOVING_STEPS: Final = 30
-START_TOLERANCE: Final = 1e-2  # of a static start for moving balls
+START_TOLERANCE: Final = 0.2  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
 PRECISION: Final = 1e-10
 """Precision of the ring's exact balance, as `rolamento.system.ring` asks for it."""
@@ -103,10 +103,10 @@ class Work(NamedTuple):
     """What the kernel works with; it makes no arrays of its own.
 
     In lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b);
-    holds: the case in each lane, its steps, and whether it has
-    settled. Of one row of one case: column, its parameters (parameters, 1); own, where it is held
-    (5,); transform, its T (5, 6); the sums over its balls, and their errors (balls, 2). Of the
-    judge in lanes: mirror, none; contacts (6 * lanes), their stiffness; accepted (rows, lanes).
+    holds: the case in each lane, and its steps. Of one row of one case: column, its parameters
+    (parameters, 1); own, where it is held (5,); transform, its T (5, 6); the sums over its balls,
+    and their errors (balls, 2). Of the judge in lanes: mirror, none; contacts (6 * lanes), their
+    stiffness; accepted (rows, lanes).
     """
 
     s: Array
@@ -115,7 +115,6 @@ class Work(NamedTuple):
     b: Array
     holds: NDArray[np.int64]
     steps: NDArray[np.int64]
-    settled: NDArray[np.bool_]
     column: Array
     own: Array
     transform: Array
@@ -136,7 +135,6 @@ class Work(NamedTuple):
             b=np.zeros((balls, layout.BALL_ROWS * _LANES)),
             holds=np.zeros(_LANES, np.int64),
             steps=np.zeros(_LANES, np.int64),
-            settled=np.zeros(_LANES, np.bool_),
             column=np.zeros((parameters, 1)),
             own=np.zeros(five),
             transform=np.zeros((five, UNKNOWNS)),
@@ -160,55 +158,92 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
     own[4] = tilt * u[4]
 
 
-@filling
-def _fill(
-    work: Work, lane: int, rows: Rows, asked: BalanceRequest, k: int, u: Array, bound: bool
-) -> None:
-    """Put a case into a lane, its ring at u; bound: whether steps have an end."""
-    own = work.own
+@inline_exact
+def _put_balls(work: Work, lane: int, rows: Rows, row: int, k: int, alike: bool) -> None:
+    """Put the balls of a row into a lane; alike: those before stood where these do."""
+    w, b = work.w[row], work.b
+    sigmas = k if rows.control.shape[0] > 1 else 0
+    for j in range(rows.ends[row], rows.ends[row + 1]):
+        if alike:
+            b[j, layout.OFF * _LANES + lane] = 0.0
+        else:
+            sigma = rows.control[sigmas, j]
+            put_ball(w, b[j], lane, rows.cosines[j], rows.sines[j], sigma)
+
+
+@inline_exact
+def _stand_alike(w: Array, lane: int, rows: Rows, row: int, k: int) -> bool:
+    """Whether the balls of a case stand where those of the case before it in the lane did."""
+    same = w[layout.COS_FIRST * _LANES + lane] == rows.p[row, layout.COS_FIRST, k]
+    same = same and w[layout.SIN_FIRST * _LANES + lane] == rows.p[row, layout.SIN_FIRST, k]
+    return bool(same and rows.control.shape[0] == 1)
+
+
+@inline_exact
+def _put_ring(work: Work, lane: int, asked: BalanceRequest, k: int, bound: bool) -> None:
+    """Put into a lane what is asked of its ring; bound: whether steps have an end."""
     work.s[set_lanes.SMALL_STIFFNESS * _LANES + lane] = asked.firm[k] if bound else 0.0
     work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
     for i in range(UNKNOWNS):
         work.s[(set_lanes.FREE + i) * _LANES + lane] = asked.free[k, i]
         work.s[(set_lanes.TARGET + i) * _LANES + lane] = asked.target[k, i]
+
+
+@inline_exact
+def _put_place(work: Work, lane: int, rows: Rows, k: int, u: Array) -> None:
+    """Put the ring of a lane at u, and its rows where that holds them."""
+    for i in range(UNKNOWNS):
         work.s[(set_lanes.PLACE + i) * _LANES + lane] = u[i]
     for row in range(rows.p.shape[0]):
+        _standing(rows.stand, row, k, u, work.own)
+        put_displacement(work.w[row], lane, work.own)
+
+
+@filling
+def _fill(work: Work, lane: int, rows: Rows, asked: BalanceRequest, k: int) -> None:
+    """Put a case into a lane; where its ring stands is left open."""
+    _put_ring(work, lane, asked, k, False)
+    for row in range(rows.p.shape[0]):
+        w = work.w[row]
         for i in range(STAND_ROWS):
             work.v[row, i * _LANES + lane] = rows.stand[row, i, k]
-        put_numbers(work.w[row], 0, lane, rows.p[row], k)
-        begin_lane(work.w[row], lane)
-        sigmas = k if rows.control.shape[0] > 1 else 0
-        for j in range(rows.ends[row], rows.ends[row + 1]):
-            sigma = rows.control[sigmas, j]
-            put_ball(work.w[row], work.b[j], lane, rows.cosines[j], rows.sines[j], sigma)
-        _standing(rows.stand, row, k, u, own)
-        put_displacement(work.w[row], lane, own)
-        work.w[row, layout.UNBALANCED * _LANES + lane] = 1.0
+        alike = _stand_alike(w, lane, rows, row, k)
+        put_numbers(w, 0, lane, rows.p[row], k)
+        begin_lane(w, lane)
+        _put_balls(work, lane, rows, row, k, alike)
+        w[layout.UNBALANCED * _LANES + lane] = 1.0
+
+
+@filling
+def _fill_all(work: Work, rows: Rows, block: int, count: int) -> None:
+    """Put cases that follow each other into the lanes: row by row, as they lie in memory."""
+    for row in range(rows.p.shape[0]):
+        w, alike = work.w[row], True
+        for lane in range(count):
+            alike = alike and _stand_alike(w, lane, rows, row, block + lane)
+        for i in range(layout.PARAMETERS):
+            for lane in range(count):
+                w[i * _LANES + lane] = rows.p[row, i, block + lane]
+        for i in range(STAND_ROWS):
+            for lane in range(count):
+                work.v[row, i * _LANES + lane] = rows.stand[row, i, block + lane]
+        for lane in range(count):
+            begin_lane(w, lane)
+            _put_balls(work, lane, rows, row, block + lane, alike)
 
 
 @inline_exact
-def _unbalanced(work: Work, lane: int) -> float:
-    """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
-    worst, scale = 0.0, 0.0
+def _read_place(s: Array, lane: int, place: Array) -> None:
     for i in range(UNKNOWNS):
-        if work.s[(set_lanes.FREE + i) * _LANES + lane] > 0.0:
-            target = work.s[(set_lanes.TARGET + i) * _LANES + lane]
-            worst = max_with_nan(worst, abs(target - work.s[(set_lanes.FORCE + i) * _LANES + lane]))
-            scale = max(scale, abs(target))
-    for row in range(work.w.shape[0]):
-        for i in range(layout.DEGREES_OF_FREEDOM):
-            scale = max(scale, abs(work.w[row, (layout.REACTION + i) * _LANES + lane]))
-    return worst / scale if scale > 0.0 else worst
+        place[i] = s[(set_lanes.PLACE + i) * _LANES + lane]
 
 
 @inline_exact
-def _lost(work: Work, lane: int) -> bool:
-    """Whether a lane has gone to NaN, as after a step without any stiffness."""
+def _lost(place: Array) -> bool:
+    """Whether a ring has gone to NaN, as after a step without any stiffness."""
     total = 0.0
     for i in range(UNKNOWNS):
-        total += work.s[(set_lanes.PLACE + i) * _LANES + lane]
-    for row in range(work.w.shape[0]):
-        total += work.w[row, layout.CAGE * _LANES + lane]
+        total += place[i]
     return bool(total != total)
 
 
@@ -224,16 +259,18 @@ def _settle_static(
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
     Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
-    settle; its place is the start then.
+    settle; its place is the start then. Balls in motion are put near theirs.
     """
     s, v, w, b = work.s, work.v, work.w, work.b
     tolerance = START_TOLERANCE if moving else TOLERANCE
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
-        for lane in range(_LANES):
-            k = min(block + lane, chosen.size - 1)
+        _fill_all(work, rows, block, count)
+        for lane in range(count):
+            k = block + lane
             found.steps[chosen[k]] = 0
-            _fill(work, lane, rows, asked, k, asked.start[k], True)
+            _put_ring(work, lane, asked, k, True)
+            _put_place(work, lane, rows, k, asked.start[k])
         open_lanes = count
         for step in range(STATIC_STEPS):
             set_lanes.empty_set(s)
@@ -242,28 +279,40 @@ def _settle_static(
                 for j in range(rows.ends[row], rows.ends[row + 1]):
                     lanes.add_static_ball(w[row], b[j])
                 set_lanes.add_row(s, v[row], w[row])
-            for lane in range(count):
-                case = chosen[block + lane]
-                if found.steps[case] == 0 and _unbalanced(work, lane) <= tolerance:
-                    found.steps[case] = step + 1
-                    open_lanes -= 1
+            set_lanes.measure_set(s)
+            for row in range(w.shape[0]):
+                set_lanes.measure_row(s, w[row], tolerance)
+            set_lanes.end_measure(s, tolerance)
             set_lanes.step_set(s)
             for row in range(w.shape[0]):
                 set_lanes.move_row(s, v[row], w[row])
+            for lane in range(count):
+                case = chosen[block + lane]
+                near = s[set_lanes.UNBALANCED * _LANES + lane] <= tolerance
+                if found.steps[case] == 0 and (near or step + 1 == STATIC_STEPS):
+                    # a place that does not depend on how long its neighbours take
+                    found.steps[case] = step + 1 if near or not moving else 0
+                    _read_place(s, lane, found.place[case])
+                    open_lanes -= 1
             if open_lanes == 0:
                 break
         for lane in range(count):
             case = chosen[block + lane]
-            if _lost(work, lane):
+            if _lost(found.place[case]):
                 found.steps[case] = 0
-            elif found.steps[case] == 0 and not moving:
-                found.steps[case] = STATIC_STEPS
-            for i in range(UNKNOWNS):
-                found.place[case, i] = (
-                    s[(set_lanes.PLACE + i) * _LANES + lane]
-                    if found.steps[case] > 0
-                    else asked.start[block + lane, i]
-                )
+            if found.steps[case] == 0:
+                for i in range(UNKNOWNS):
+                    found.place[case, i] = asked.start[block + lane, i]
+            if moving:
+                _put_place(work, lane, rows, block + lane, found.place[case])
+        if moving:
+            for row in range(w.shape[0]):
+                for j in range(rows.ends[row], rows.ends[row + 1]):
+                    lanes.place_ball(w[row], b[j])
+                    lanes.settle_ball(w[row], b[j])
+            for lane in range(count):
+                for j in range(b.shape[0]):
+                    read_position(b[j], lane, found.position[chosen[block + lane]], j)
 
 
 @filling
@@ -276,50 +325,42 @@ def _settle_moving(
     rings, cages and balls, and the steps: zero where a lane failed.
     """
     s, v, w, b = work.s, work.v, work.w, work.b
-    holds, steps, settled = work.holds, work.steps, work.settled
+    holds, steps = work.holds, work.steps
     waiting, working = 0, 0
     for lane in range(_LANES):
         holds[lane] = -1
-        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], False)
+        _fill(work, lane, rows, asked, 0)
+        _put_place(work, lane, rows, 0, found.place[chosen[0]])
+        for j in range(b.shape[0]):
+            put_position(b[j], lane, found.position[chosen[0]], j)
     while waiting < chosen.size or working > 0:
-        fresh = False
         for lane in range(_LANES):
             if holds[lane] < 0 and waiting < chosen.size:
-                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], False)
-                for j in range(b.shape[0]):  # to be put where its ring has it
-                    b[j, layout.LOST_WAY * _LANES + lane] = 1.0
+                case = chosen[waiting]
+                _fill(work, lane, rows, asked, waiting)
+                _put_place(work, lane, rows, waiting, found.place[case])
+                for j in range(b.shape[0]):
+                    put_position(b[j], lane, found.position[case], j)
                 holds[lane] = waiting
                 steps[lane] = 0
                 waiting += 1
                 working += 1
-                fresh = True
 
         set_lanes.empty_set(s)
         for row in range(w.shape[0]):
             lanes.reset_sums(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
-                if fresh:
-                    lanes.replace_ball(w[row], b[j])
                 lanes.add_moving_ball(w[row], b[j], TOLERANCE)
             lanes.measure_cage(w[row])
-        for lane in range(_LANES):
-            settled[lane] = True
-            for row in range(w.shape[0]):
-                at_rest = w[row, layout.FAULT * _LANES + lane] <= 0.0
-                settled[lane] = settled[lane] and at_rest
-                behind = w[row, layout.BEHIND * _LANES + lane]
-                settled[lane] = settled[lane] and behind <= TOLERANCE
-            steps[lane] += 1
-        for row in range(w.shape[0]):
             lanes.condense_cage(w[row])
             set_lanes.add_row(s, v[row], w[row])
-        for lane in range(_LANES):
-            unbalanced = _unbalanced(work, lane)
-            settled[lane] = settled[lane] and unbalanced <= TOLERANCE
-            for row in range(w.shape[0]):  # a row is as far from balance as its ring
-                w[row, layout.UNBALANCED * _LANES + lane] = unbalanced
+        set_lanes.measure_set(s)
+        for row in range(w.shape[0]):
+            set_lanes.measure_row(s, w[row], TOLERANCE)
+        set_lanes.end_measure(s, TOLERANCE)
         set_lanes.step_set(s)
         for row in range(w.shape[0]):
+            set_lanes.tell_row(s, w[row])
             set_lanes.move_row(s, v[row], w[row])
             lanes.step_cage(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
@@ -329,14 +370,13 @@ def _settle_moving(
                     lanes.replace_ball(w[row], b[j])
 
         for lane in range(_LANES):
-            k = holds[lane]
-            lost = _lost(work, lane)
-            if k < 0 or not (settled[lane] or lost or steps[lane] >= MOVING_STEPS):
+            k, steps[lane] = holds[lane], steps[lane] + 1
+            settled = s[set_lanes.SETTLED * _LANES + lane]
+            if k < 0 or (settled == 0.0 and steps[lane] < MOVING_STEPS):
                 continue
             case = chosen[k]
-            found.steps[case] = 0 if lost else steps[lane]
-            for i in range(UNKNOWNS):
-                found.place[case, i] = s[(set_lanes.PLACE + i) * _LANES + lane]
+            found.steps[case] = 0 if settled != settled else steps[lane]
+            _read_place(s, lane, found.place[case])
             for row in range(w.shape[0]):
                 found.cage[row, case] = w[row, layout.CAGE * _LANES + lane]
             for j in range(b.shape[0]):
@@ -375,22 +415,19 @@ def _judge_in_lanes(
     Of what is accepted the sums stand in the lanes, as `accept.judge` has them; what is not is
     left to that one.
     """
+    count = min(_LANES, chosen.size - block)
+    _fill_all(work, rows, block, count)
     for row in range(rows.p.shape[0]):
         a, z = rows.ends[row], rows.ends[row + 1]
         w, b, numbers = work.w[row], work.b[a:z], rows.p[row]
-        for lane in range(_LANES):
-            k = min(block + lane, chosen.size - 1)
+        for lane in range(count):
+            k = block + lane
             case = chosen[k]
             own = found.displacement[row, case]
             _standing(rows.stand, row, k, found.place[case], own)
-            put_numbers(w, 0, lane, numbers, k)
-            begin_lane(w, lane)
             put_displacement(w, lane, own)
             w[layout.CAGE * _LANES + lane] = found.cage[row, case]
-            sigmas = k if rows.control.shape[0] > 1 else 0
             for j in range(z - a):
-                sigma = rows.control[sigmas, a + j]
-                put_ball(w, b[j], lane, rows.cosines[a + j], rows.sines[a + j], sigma)
                 put_position(b[j], lane, found.position[case], a + j)
         lanes.reset_sums(w)
         for j in range(z - a):
@@ -399,8 +436,8 @@ def _judge_in_lanes(
         lanes.weigh_ring(w)
         for j in range(z - a):
             lanes.weigh_ball(w, b[j])
-        for lane in range(_LANES):
-            case = chosen[min(block + lane, chosen.size - 1)]
+        for lane in range(count):
+            case = chosen[block + lane]
             doubt = w[layout.UNSOUND * _LANES + lane] + w[layout.DOUBTFUL * _LANES + lane]
             doubt += w[layout.REGROUPED * _LANES + lane]
             # the lanes have seven coefficients of K

@@ -29,7 +29,10 @@ FORCE: Final = MOVE + UNKNOWNS
 MATRIX: Final = FORCE + UNKNOWNS
 SMALL_STIFFNESS: Final = MATRIX + UNKNOWNS * UNKNOWNS  # a little stiffness of every free unknown
 REACH: Final = SMALL_STIFFNESS + 1  # the longest step
-SET_ROWS: Final = REACH + 1
+UNBALANCED: Final = REACH + 1  # the greatest unbalanced load, over
+LOADED: Final = UNBALANCED + 1  # the greatest of the loads on the ring and of its rows
+SETTLED: Final = LOADED + 1  # above zero where all is at rest, NaN where it is lost
+SET_ROWS: Final = SETTLED + 1
 
 # --- how a row stands on the ring -------------------------------------------------------------
 WAY: Final = 0  # +1, or -1 where it is mirrored
@@ -42,6 +45,7 @@ _N: Final = np.uintp(layout.LANES)
 _FREE, _TARGET, _PLACE, _MOVE = lanes(FREE), lanes(TARGET), lanes(PLACE), lanes(MOVE)
 _FORCE, _MATRIX = lanes(FORCE), lanes(MATRIX)
 _FIRM, _REACH = lanes(SMALL_STIFFNESS), lanes(REACH)
+_UNBALANCED, _LOADED, _SETTLED = lanes(UNBALANCED), lanes(LOADED), lanes(SETTLED)
 _WAY, _LEVER, _TILT, _SLIDE = (lanes(row) for row in (WAY, LEVER, TILT, SLIDE))
 _SIX, _FIVE = np.uintp(UNKNOWNS), np.uintp(layout.DEGREES_OF_FREEDOM)
 _ZERO, _ONE, _TWO, _THREE, _FOUR = (np.uintp(row) for row in range(5))
@@ -49,6 +53,8 @@ _AT = tuple(lanes(row) for row in range(UNKNOWNS * UNKNOWNS))
 _LINE = lanes(UNKNOWNS)
 _ROW_U, _ROW_STEP = lanes(layout.DISPLACEMENT), lanes(layout.STEP)
 _ROW_F, _ROW_K = lanes(layout.REACTION), lanes(layout.MATRIX)
+_ROW_FAULT, _ROW_BEHIND = lanes(layout.FAULT), lanes(layout.BEHIND)
+_ROW_UNBALANCED, _CAGE = lanes(layout.UNBALANCED), lanes(layout.CAGE)
 _OF_ROW = lanes(layout.DEGREES_OF_FREEDOM)
 
 _solve_set = elimination(UNKNOWNS, UNKNOWNS, MATRIX, MOVE)
@@ -115,6 +121,51 @@ def add_row(s: Array, v: Array, w: Array) -> None:
         _add_column(s, v, i, 3, (k0[3], k1[3], k2[3], k3[3], k4[3]))
         _add_column(s, v, i, 4, (k0[4], k1[4], k2[4], k3[4], k4[4]))
         _add_column(s, v, i, 5, (k0[5], k1[5], k2[5], k3[5], k4[5]))
+
+
+@vector_loop
+def measure_set(s: Array) -> None:
+    """Begin to measure how far the rings are from balance; NaN stays NaN."""
+    for i in range(_N):
+        worst, scale, lost = 0.0, 0.0, 0.0
+        for row in range(_SIX):
+            free, target = s[_FREE + row * _N + i], s[_TARGET + row * _N + i]
+            miss = abs(target - s[_FORCE + row * _N + i])
+            miss = miss if free > 0.0 else 0.0
+            worst = worst if miss <= worst else miss
+            scale = max(scale, abs(target) if free > 0.0 else 0.0)
+            lost += s[_PLACE + row * _N + i]
+        s[_UNBALANCED + i], s[_LOADED + i], s[_SETTLED + i] = worst, scale, 1.0 + 0.0 * lost
+
+
+@vector_loop
+def measure_row(s: Array, w: Array, tolerance: float) -> None:
+    """Take a row into what is measured of its ring: its loads, and whether its balls settled."""
+    for i in range(_N):
+        scale = s[_LOADED + i]
+        for row in range(_FIVE):
+            scale = max(scale, abs(w[_ROW_F + row * _N + i]))
+        s[_LOADED + i] = scale
+        settled = 1.0 if w[_ROW_FAULT + i] <= 0.0 else 0.0
+        settled = settled if w[_ROW_BEHIND + i] <= tolerance else 0.0
+        s[_SETTLED + i] = s[_SETTLED + i] * settled + 0.0 * w[_CAGE + i]
+
+
+@vector_loop
+def end_measure(s: Array, tolerance: float) -> None:
+    """Divide what is unbalanced by the loads: whether the rings are at rest."""
+    for i in range(_N):
+        scale = s[_LOADED + i]
+        unbalanced = s[_UNBALANCED + i] / (scale if scale > 0.0 else 1.0)
+        s[_UNBALANCED + i] = unbalanced
+        s[_SETTLED + i] *= 1.0 if unbalanced <= tolerance else 0.0
+
+
+@vector_loop
+def tell_row(s: Array, w: Array) -> None:
+    """A row is as far from balance as its ring."""
+    for i in range(_N):
+        w[_ROW_UNBALANCED + i] = s[_UNBALANCED + i]
 
 
 @vector_loop

@@ -122,16 +122,16 @@ class _Run:
         balls = sum(row.element_count for row in rows)
         five = layout.DEGREES_OF_FREEDOM
         found = Balance(
-            place=np.full((n, UNKNOWNS), np.nan),
-            force=np.full((n, UNKNOWNS), np.nan),
-            stiffness=np.full((n, UNKNOWNS, UNKNOWNS), np.nan),
+            place=np.empty((n, UNKNOWNS)),
+            force=np.empty((n, UNKNOWNS)),
+            stiffness=np.empty((n, UNKNOWNS, UNKNOWNS)),
             residual=np.full(n, np.nan),
             steps=np.zeros(n, np.int64),
             sound=np.zeros(n, np.bool_),
-            position=np.full((n, balls, 2), np.nan),
-            displacement=np.full((count, n, five), np.nan),
-            reaction=np.full((count, n, five), np.nan),
-            row_stiffness=np.full((count, n, five, five), np.nan),
+            position=np.empty((n, balls, 2)),
+            displacement=np.empty((count, n, five)),
+            reaction=np.empty((count, n, five)),
+            row_stiffness=np.empty((count, n, five, five)),
             cage=np.full((count, n), np.nan),
             row_residual=np.full((count, n), np.nan),
             code=np.full((count, n), status.INVALID_INPUT),
@@ -166,8 +166,13 @@ class _Run:
         side_by_side(run, chunks, self.rows[0].threads)
 
     def proposal(self) -> Proposal:
-        """What was found, row by row."""
+        """What was found, row by row; NaN of what nothing was found of."""
         found = self.found
+        lost = np.flatnonzero(found.steps == 0)
+        for array in (found.place, found.force, found.stiffness, found.position):
+            array[lost] = np.nan
+        for array in (found.displacement, found.reaction, found.row_stiffness):
+            array[:, lost] = np.nan
         return Proposal(
             place=found.place,
             force=found.force,

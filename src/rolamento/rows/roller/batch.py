@@ -64,25 +64,20 @@ def ring_forces(
     states, loads, places = rollers
     sums = np.empty((2, SUMS))
     ring, own, tangent = np.empty(3), np.empty(3), np.empty((3, 3))
-    lever = np.zeros((3, DEGREES))
     force[:] = 0.0
     stiffness[:] = 0.0
     worst, scale, steps = 0.0, 0.0, 0
     number = status.CONVERGED
     arm = p[layout.ARM, column]
     limit = heaviest(p, column)
+    slice_limit = limit * p[layout.LENGTH, column] / loads.shape[2]
     c0, s0 = p[layout.COS_FIRST, column], p[layout.SIN_FIRST, column]
     for j in range(cosines.size):
         c = cosines[j] * c0 - sines[j] * s0
         s = sines[j] * c0 + cosines[j] * s0
-        lever[0, 0] = 1.0
-        lever[0, 3], lever[0, 4] = arm * c, -arm * s
-        lever[1, 1], lever[1, 2] = s, c
-        lever[2, 3], lever[2, 4] = c, -s
-        for i in range(3):
-            ring[i] = 0.0
-            for k in range(DEGREES):
-                ring[i] += lever[i, k] * u[k]
+        ring[0] = u[0] + arm * (c * u[3] - s * u[4])
+        ring[1] = s * u[1] + c * u[2]
+        ring[2] = c * u[3] - s * u[4]
         found, residual, size, taken = relax(
             p, column, line, ring, states[j], (sums, loads[j]), places[j], near, precision
         )
@@ -91,19 +86,47 @@ def ring_forces(
         scale = max(scale, size)
         if not found:
             number = status.NOT_CONVERGED
-        elif loads[j].max() > limit and number == status.CONVERGED:
+        # no slice carries more than the whole roller
+        elif size > slice_limit and loads[j].max() > limit and number == status.CONVERGED:
             number = status.OVERLOADED
         condensed(p, column, ring, states[j, 1], sums, own, tangent)
-        for i in range(3):
-            for k in range(DEGREES):
-                if lever[i, k] == 0.0:
-                    continue
-                force[k] += lever[i, k] * own[i]
-                for m in range(3):
-                    part = lever[i, k] * tangent[i, m]
-                    for other in range(DEGREES):
-                        stiffness[k, other] += part * lever[m, other]
+        _add_roller(arm, c, s, own, tangent, force, stiffness)
     return number, worst, scale, steps
+
+
+@inline_exact
+def _add_roller(
+    arm: float, c: float, s: float, own: Array, tangent: Array, force: Array, stiffness: Array
+) -> None:
+    """Add a roller's force (3,) and stiffness (3, 3) to the ring's.
+
+    With dA = dx + R dθ, db = s dy + c dz and dθ = c dry - s drz.
+    """
+    turned = arm * own[0] + own[2]
+    force[0] += own[0]
+    force[1] += s * own[1]
+    force[2] += c * own[1]
+    force[3] += c * turned
+    force[4] -= s * turned
+    for row in range(3):
+        # by x, by b, by θ
+        if row < 2:
+            by_x, by_b, by_turn = tangent[row, 0], tangent[row, 1], tangent[row, 2]
+        else:
+            by_x = arm * tangent[0, 0] + tangent[2, 0]
+            by_b = arm * tangent[0, 1] + tangent[2, 1]
+            by_turn = arm * tangent[0, 2] + tangent[2, 2]
+        by_turn += arm * by_x
+        line = (by_x, s * by_b, c * by_b, c * by_turn, -s * by_turn)
+        for k in range(DEGREES):
+            if row == 0:
+                stiffness[0, k] += line[k]
+            elif row == 1:
+                stiffness[1, k] += s * line[k]
+                stiffness[2, k] += c * line[k]
+            else:
+                stiffness[3, k] += c * line[k]
+                stiffness[4, k] -= s * line[k]
 
 
 @inline_exact

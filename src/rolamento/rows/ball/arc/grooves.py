@@ -46,6 +46,7 @@ from rolamento.numerics.threads import share_out
 from rolamento.records import frozen
 from rolamento.rows.ball.arc import flanks as kernels
 from rolamento.rows.ball.arc.flanks import ROUNDING, TERMS
+from rolamento.rows.ball.arc.together import settle_together
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
 from rolamento.solved import Elements, Index, Pressed, Tables
@@ -226,15 +227,32 @@ class GrooveRow:
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
     ) -> tuple[FloatArray, BoolArray, IntArray]:
         """Equilibrium of the ring of a bearing that is this row, as of `rows.row.SelfBalancing`."""
-        p, flanks, cosines, sines = self._arrays(which)
         rings = np.ascontiguousarray(place)
         settled, steps = np.zeros(len(which), np.bool_), np.zeros(len(which), np.int64)
+        p = self.p[:, which]
+        for kernel in (settle_together, kernels.settle_cases):
+            left = np.flatnonzero(~settled)
+            if len(left):
+                own = rings[left], settled[left], steps[left]
+                self._settle(kernel, which[left], free[left], load[left], own)
+                rings[left], settled[left], steps[left] = own
+        return rings, settled | kernels.beyond(p, rings), steps
+
+    def _settle(
+        self,
+        kernel: Kernel[..., None],
+        which: Indices,
+        free: BoolArray,
+        load: FloatArray,
+        found: tuple[FloatArray, BoolArray, IntArray],
+    ) -> None:
+        """Let the rings of some cases go: places, whether they came to rest, steps; written."""
+        arrays, (rings, settled, steps) = self._arrays(which), found
 
         def run(kernel: Callable[..., Any], first: int, last: int) -> None:
-            kernel(p, flanks, cosines, sines, free, load, rings, first, last, settled, steps)
+            kernel(*arrays, free, load, rings, first, last, settled, steps)
 
-        self._share_out(kernels.settle_cases, run, len(which))
-        return rings, settled | kernels.beyond(p, rings), steps
+        self._share_out(kernel, run, len(which))
 
     def _arrays(self, which: Indices) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """What the kernels take of some cases: numbers, flanks, and the directions of the balls."""
