@@ -58,14 +58,14 @@ def of_commands() -> Iterator[tuple[str, str | None]]:
     from typer.main import get_command
 
     from rolamento.cli.app import app
-    from rolamento.cli.grouped_help import METAVAR, unwrapped
+    from rolamento.cli.grouped_help import METAVAR, paragraphs
 
     pending = [get_command(app)]
     while pending:
         command = pending.pop()
         texts = [command.help, command.epilog, *command.groups]
         texts += [getattr(one, "help", None) for one in command.params]
-        yield from ((one, None) for text in texts if text for one in unwrapped(text).split("\n\n"))
+        yield from ((one, None) for text in texts if text for one in paragraphs(text))
         marks = [command.options_metavar, getattr(command, "subcommand_metavar", None)]
         marks += [getattr(one, "metavar", None) for one in command.params]
         yield from ((mark, METAVAR) for mark in marks if mark)

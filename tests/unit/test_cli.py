@@ -22,7 +22,7 @@ import rolamento
 from rolamento.cli import streams
 from rolamento.cli.app import COMMANDS, app
 from rolamento.cli.common import Language
-from rolamento.cli.grouped_help import GroupedCommands, Groups, SpokenCommand, unwrapped
+from rolamento.cli.grouped_help import GroupedCommands, Groups, SpokenCommand, paragraphs
 from rolamento.cli.optional_value import with_values
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.waiting import progress_of, waiting
@@ -776,7 +776,7 @@ def test_the_help_of_a_command_imports_no_engine(name: str) -> None:
 @pytest.mark.parametrize("name", [name for names in COMMANDS.values() for name in names])
 def test_the_list_says_of_a_command_what_its_own_help_begins_with(name: str) -> None:
     command = PROGRAM.commands[name]
-    assert unwrapped(command.help).split("\n\n")[0] == PROGRAM.line_of(name)
+    assert paragraphs(command.help)[0] == PROGRAM.line_of(name)
 
 
 def test_a_command_waits_only_for_what_it_needs() -> None:

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 import rolamento
 from rolamento.cli.app import app
-from rolamento.cli.grouped_help import METAVAR, unwrapped
+from rolamento.cli.grouped_help import METAVAR, paragraphs
 from rolamento.words import said, said_in, speaking
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
@@ -55,7 +55,7 @@ def test_the_help_of_every_command_is_said(names: tuple[str, ...], command: Any)
     texts = [command.help, command.epilog, *command.groups, "Show this message and exit."]
     texts += [getattr(one, "help", None) for one in command.params]
     shown = flat(portuguese)
-    for text in (unwrapped(text) for text in texts if text):
+    for text in (part for one in texts if one for part in paragraphs(one)):
         with speaking("pt"):
             translated = said(text)
         assert translated != text

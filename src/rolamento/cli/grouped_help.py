@@ -16,7 +16,7 @@ from rolamento.cli.waiting import working
 from rolamento.errors import nearest
 from rolamento.words import language_asked, marked, said, said_in, speaking
 
-__all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand", "unwrapped"]
+__all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand", "paragraphs", "unwrapped"]
 
 Groups = Mapping[str, Collection[str]]
 """Headings, in their order, and the names below each."""
@@ -165,8 +165,13 @@ class GroupedCommands(TyperGroup):
 
 
 def unwrapped(text: str) -> str:
-    """Return a help text with one line a paragraph, as the catalogues have it."""
+    """Return a help text with one line a paragraph."""
     return re.sub(r"(?<!\n)\n(?!\n)", " ", text)
+
+
+def paragraphs(text: str) -> list[str]:
+    """Return the paragraphs of a help text, each an entry of the catalogues."""
+    return unwrapped(text).split("\n\n")
 
 
 C = TypeVar("C")
@@ -177,8 +182,7 @@ def _spoken(shown: C) -> C:
     copied: Any = copy.copy(shown)
     for name in ("help", "epilog"):
         if getattr(copied, name, None):
-            paragraphs = unwrapped(getattr(copied, name)).split("\n\n")
-            setattr(copied, name, "\n\n".join(map(said, paragraphs)))
+            setattr(copied, name, "\n\n".join(map(said, paragraphs(getattr(copied, name)))))
     if getattr(copied, "metavar", None):
         copied.metavar = said_in(METAVAR, copied.metavar)
     return copied  # type: ignore[no-any-return]
