@@ -67,7 +67,7 @@ def _electrics(given: Evaluation) -> BearingElectrics:
 
 
 def _oscillations(solved: Solved) -> tuple[OscillationLife | None, ...]:
-    """The life of each case in oscillations; None without a result, or a rating."""
+    """The life of each case in oscillations; None without one."""
     from rolamento.life.oscillation import oscillation_life
     from rolamento.life.row_ratings import UnratedError
     from rolamento.solution import Refused, solve
@@ -75,6 +75,8 @@ def _oscillations(solved: Solved) -> tuple[OscillationLife | None, ...]:
     def of(index: int) -> OscillationLife | None:
         given = solved.refusals
         case = given.alone(index) if isinstance(given, Refused) else solved.delivered_case
+        if case.duty.oscillation is None:
+            return None
         try:
             return oscillation_life(solve(case, preload_loss=False))
         except UnratedError:
