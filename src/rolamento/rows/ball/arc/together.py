@@ -46,7 +46,7 @@ from rolamento.rows.ball.layout import lanes
 
 STEPS: Final = 20
 FIRST_STEPS: Final = 2
-"""Of the balls alone, before the ring moves."""
+"""Steps that the balls take alone, before the ring moves."""
 TOLERANCE: Final = 1e-8
 """What is unbalanced before the last step, which squares it, or less where a ball just touches."""
 SOFT: Final = 1.5e-10
