@@ -113,6 +113,6 @@ def test_the_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert "cleanliness_in_words" in out
     code, _, error = run("case.toml", "--cleanliness", "clean")
     assert code == 2
-    assert '--cleanliness = "clean": is neither an ISO 4406 code nor a level' in error
+    assert '--cleanliness: "clean": is neither an ISO 4406 code nor a level' in error
     grease = ("--set", 'lubricant.kind="grease"')
     assert "grease_cleanliness" in run("case.toml", *grease, "--cleanliness", "leve", "--json")[1]

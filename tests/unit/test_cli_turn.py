@@ -170,7 +170,7 @@ def test_json_without_a_result_is_written_all_the_same(run: Run) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("218_combined.toml", "--points", "2"), "must be 4 to 4096"),
+        (("218_combined.toml", "--points", "2"), "must be an integer from 4 to 4096"),
         (("nothing.toml",), "cannot be opened"),
         (("218_combined.toml", "--plot", "turn.gif"), "must end in .png, .svg or .pdf"),
         (("218_combined.toml", "--json", "--csv", "-"), "only one of"),

@@ -31,7 +31,11 @@ TABLE = {
     "tallian_subsurface": {"defect_density": 0.8},
 }
 FZ = (1000.0, 3000.0, 12_000.0)
-LIVES = tuple(name for name, output in catalogue().items() if "life" in output.needs)
+LIVES = tuple(
+    name
+    for name, output in catalogue().items()
+    if "life" in output.needs and "duty.oscillation" not in output.needs
+)
 SINGLE = {
     "reliability": (0.9, 0.95, 0.999),
     "required_life": (500.0 * HOUR, 5000.0 * HOUR),

@@ -52,7 +52,7 @@ _DASHES: Final = {"dashdotdot": "10px,2px,2px,2px,2px,2px", "fine": "2px,2px"}
 _MARKS: Final = {"tick": "line-ns", "thin": "x-thin"}
 _CORNERS: Final = np.linspace(0.0, 2.0 * np.pi, 25)
 _GROUP: Final = 0.8
-"""Of the room of a category, which its bars fill, as Plotly has it."""
+"""Part of a category that its bars fill, as Plotly has it."""
 _BEFORE_END: Final = 12
 """Pixels from the end of a bar to its break mark."""
 _FINE: Final = 4

@@ -235,7 +235,7 @@ class ToleranceBands:
 
 
 def varies(values: Floats, units: str) -> bool:
-    """Tell whether finite values of a unit, one or more, differ by more than rounding."""
+    """Whether finite values of a unit, one or more, differ by more than rounding."""
     rounding = max(FLAT * float(np.abs(values).max()), FINEST.get(units, 0.0))
     return float(np.ptp(values)) > rounding
 

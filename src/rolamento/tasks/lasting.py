@@ -172,13 +172,13 @@ class OilRequest(CaseRequest):
 
     def run(self, progress: Progress = quietly) -> Finding:
         """Find it, an `OilChoice`."""
-        from rolamento.pages.given import untitled
+        from rolamento.pages.given import title_of
         from rolamento.pages.grease import oil_page
         from rolamento.tasks.grease import choose_oil_of_case
 
         case = self.loaded(needs_load=False)
         found = choose_oil_of_case(case, self.kappa, *self._ends())
-        title = case.title or case.bearing.designation or untitled(case)
+        title = case.title or case.bearing.designation or title_of(case)
         chosen = found.chosen is not None
         page = partial(oil_page, found, title)
         return Finding(found, page, in_json(found, schema=1, kind="oil"), None, "", chosen)

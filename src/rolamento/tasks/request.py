@@ -138,6 +138,11 @@ class Input:
         return self.kind in ("list", "numbers", "choices", "values", "files", "paths")
 
     @property
+    def is_by_key(self) -> bool:
+        """Whether it takes texts KEY=VALUE, or a mapping in their place."""
+        return "=" in self.metavar
+
+    @property
     def is_argument(self) -> bool:
         """Whether it is no option of a command, but what that reads."""
         return self.kind in ("file", "files")
@@ -194,10 +199,12 @@ class Input:
             return () if self.is_many else None
         if isinstance(given, date) and self.kind == "date":
             return given
-        if isinstance(given, date) or (isinstance(given, Mapping) and self.kind != "values"):
+        if isinstance(given, date) or (isinstance(given, Mapping) and not self.is_by_key):
             raise InputError(said("must be a number or text"), value=given)
         if self.kind == "values":
             return self._by_key(given)
+        if isinstance(given, Mapping):  # which its request reads
+            return given
         if self.is_many:
             return self._values((given,) if isinstance(given, str | int | float) else given)
         if not isinstance(given, str):

@@ -1,4 +1,4 @@
-"""Of a bearing in operation: its clearance, how fast it may run, what it sounds like if damaged."""
+"""A bearing in operation: its clearance, how fast it may run, its frequencies if damaged."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class SpeedRequest(CaseRequest):
     Parameters
     ----------
     series
-        Series of the bearing, such as 62, 70 or NU2, where no designation tells it.
+        Series of the bearing, such as 62, 70 or NU2, where no designation has it.
     width
         Width of the bearing, B or T of tapered rollers, such as '20 mm'.
     minimum_load_factor
