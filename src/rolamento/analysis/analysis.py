@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from dataclasses import replace
 from functools import cached_property
@@ -12,6 +11,7 @@ import numpy as np
 
 from rolamento.analysis.needs import has_friction, has_life, has_oil, machines_known
 from rolamento.case import Case
+from rolamento.io.json import dumps
 from rolamento.numerics.blocks import in_blocks
 from rolamento.records import frozen, span
 from rolamento.solved import Solved
@@ -126,7 +126,7 @@ class Analysis:
 
     def to_json(self, *, indent: int | None = 2) -> str:
         """Give a single case as one JSON object, in SI units."""
-        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+        return dumps(self.to_mapping(), indent)
 
 
 def analyse(

@@ -18,7 +18,6 @@ with these temperatures; the lubricant has the mean of the rings unless the case
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from functools import cached_property
@@ -38,7 +37,7 @@ from rolamento.friction.summary import Friction
 from rolamento.geometry import clearance_of_angle, ring_geometry
 from rolamento.heat.network import NODES, HeatFlow, Network, network_of
 from rolamento.heat.warmed import Warmed, temperature_fields
-from rolamento.io.json import plain
+from rolamento.io.json import dumps, plain
 from rolamento.lubrication.films import Film
 from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.numerics.root import increasing_root
@@ -388,7 +387,7 @@ class HeatBalance:
 
     def to_json(self, *, indent: int | None = 2) -> str:
         """Give it as one JSON object, in SI units."""
-        return json.dumps(self.to_mapping(), indent=indent, ensure_ascii=False, allow_nan=False)
+        return dumps(self.to_mapping(), indent)
 
 
 def heat_balance(
