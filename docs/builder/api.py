@@ -115,7 +115,8 @@ def _page(package: str, known: dict[int, str]) -> str:
                 known[id(value)] = f"{module.__name__}.{name}"
             pieces.append(_entry(module, name, value))
         if elsewhere:
-            pieces.append("Also here, described where they belong:\n\n" + "\n".join(elsewhere))
+            links = "\n".join(elsewhere)
+            pieces.append(f"Also here, described where they belong:\n\n{links}\n")
     return "\n".join(pieces).rstrip() + "\n"
 
 

@@ -226,7 +226,8 @@ def _bounds(annotation: Quantity | Ratio) -> Bounds:
 def _within(values: NDArray[np.float64], bounds: Bounds) -> NDArray[np.bool_]:
     import numpy as np
 
-    inside = np.isfinite(values) & ((values == 0.0) | (np.abs(values) >= _SMALLEST))
+    inside = np.isfinite(values)
+    inside &= (values == 0.0) | (np.abs(values) >= _SMALLEST)
     for relation, (limit, _) in bounds.items():
         inside &= _RELATIONS[relation](values, limit)
     return inside

@@ -425,7 +425,7 @@ def heat_balance(
 
     >>> from rolamento import load_case
     >>> duty = {"duty.load.fz": "10 kN", "duty.inner_speed": "3000 rpm"}
-    >>> found = heat_balance(load_case("6220", {**duty, "lubricant": "ISO VG 68"}))
+    >>> found = heat_balance(load_case("6220", duty | {"lubricant": "ISO VG 68"}))
     >>> print(f"{found.power:.0f} W, inner ring {found.temperatures['inner_ring'] - 273.15:.0f} °C")
     300 W, inner ring 57 °C
     """

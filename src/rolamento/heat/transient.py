@@ -201,7 +201,7 @@ def heat_transient(
 
     >>> from rolamento import load_case
     >>> duty = {"duty.load.fz": "10 kN", "duty.inner_speed": "3000 rpm"}
-    >>> case = load_case("6220", {**duty, "lubricant": "ISO VG 68"})
+    >>> case = load_case("6220", duty | {"lubricant": "ISO VG 68"})
     >>> course = heat_transient(case, 3600.0)
     >>> print(f"inner ring {course.final['inner_ring'] - 273.15:.0f} °C after an hour")
     inner ring 56 °C after an hour

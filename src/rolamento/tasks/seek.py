@@ -149,10 +149,9 @@ class GoalSeek(CaseRequest):
     log
         Vary by equal ratios.
 
-    >>> asked = GoalSeek(
-    ...     case="6310", changes={"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"},
-    ...     vary="duty.load.fz=2..20kN", wanted="max_inner_max_pressure=2 GPa",
-    ... )
+    >>> duty = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
+    >>> field, goal = "duty.load.fz=2..20kN", "max_inner_max_pressure=2 GPa"
+    >>> asked = GoalSeek(case="6310", changes=duty, vary=field, wanted=goal)
     >>> print([round(force) for force in asked.run().found])
     [4435]
     """
