@@ -16,6 +16,7 @@ from sphinx.util.nodes import find_pending_xref_condition
 from sphinx.writers.html5 import HTML5Translator
 
 from builder import api, checks, equations, navigation, reference, search
+from builder.accessible import make_accessible
 
 _log: Final = logging.getLogger(__name__)
 _MADE: Final = re.compile(r"^<!-- made: ([\w-]+) -->$", re.MULTILINE)
@@ -137,6 +138,7 @@ def _on_read(app: Sphinx, document: nodes.document) -> None:
 
 def _on_finished(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
+        make_accessible(Path(app.outdir))
         for wrong in checks.wrong_in(Path(app.outdir)):
             _log.warning("%s", wrong)
 
