@@ -69,7 +69,6 @@ def test_numpy_numbers_are_numbers() -> None:
         ({"ball_diameter": 0}, "must be at least 0.01 mm and at most 1 m"),
         ({"ball_diameter": float("nan")}, "ball_diameter = nan: must be a finite number"),
         ({"ball_diameter": 10**400}, "must be a finite number"),
-        ({"ball_diameter": 1e-320}, "must be 0, or at least 1e-200 in SI units"),
         ({"ball_diameter": False}, "ball_diameter = false: must be a number"),
         ({"ball_diameter": None}, "must be a number"),
         ({"ball_diameter": 22.23}, "must be at least 0.01 mm and at most 1 m"),

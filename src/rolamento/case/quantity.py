@@ -38,8 +38,6 @@ __all__ = ["AT_THE_BORDER", "Count", "Line", "Quantity", "Ratio", "Replaces", "a
 
 AT_THE_BORDER: Final = {"border": True}
 """The context in which values cross between text and SI: a file is read or written."""
-_SMALLEST: Final = 1e-200
-"""Magnitude, in SI units, below which no reciprocal or product of a number can be relied on."""
 
 Relation = Literal["above", "at_least", "below", "at_most"]
 
@@ -78,9 +76,6 @@ def _checked_bounds(value: float, given: object, bounds: Bounds) -> float:
     """Return the value, with no negative zero, or name the bounds that it breaks."""
     if not math.isfinite(value):
         raise InputError(said("must be a finite number"), value=given)
-    if 0.0 < abs(value) < _SMALLEST:
-        rule = said("must be 0, or at least {smallest} in SI units", smallest=f"{_SMALLEST:g}")
-        raise InputError(rule, value=given)
     if any(not _RELATIONS[relation](value, limit) for relation, (limit, _) in bounds.items()):
         raise InputError(said("must be {limits}", limits=limits_of(bounds)), value=given)
     return value + 0.0
@@ -227,7 +222,6 @@ def _within(values: NDArray[np.float64], bounds: Bounds) -> NDArray[np.bool_]:
     import numpy as np
 
     inside = np.isfinite(values)
-    inside &= (values == 0.0) | (np.abs(values) >= _SMALLEST)
     for relation, (limit, _) in bounds.items():
         inside &= _RELATIONS[relation](values, limit)
     return inside
