@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from rolamento import load_case, solve
+from rolamento import analyse, load_case, solve
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.tasks import GoalSeek
-from rolamento.words import speaking
+from rolamento.words import in_unit, speaking
 
 LOADED = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
 
@@ -136,3 +136,31 @@ def test_a_page_in_both_languages() -> None:
     assert page.main == "curve"
     (table,) = page.tables()
     assert len(table.columns[0].values) == len(found.curve.values) + 1
+
+
+@pytest.mark.parametrize(
+    ("wanted", "unit", "value"),
+    [("life_hours=20000 h", "h", 20000.0), ("life_revolutions=1000 Mrev", "10⁶ rev", 1000.0)],
+)
+def test_the_table_has_the_goal_in_its_unit(wanted: str, unit: str, value: float) -> None:
+    """Lives are no SI quantities of a study; the table, as each, holds SI."""
+    asked = GoalSeek(case="6310", changes=LOADED, vary="duty.load.fz=2..20kN", wanted=wanted)
+    found = asked.run()
+    column = asked.page(found).sections[-1].blocks[-1].columns[1]
+    (goal,) = [cell for cell, tone in zip(column.values, column.tones, strict=True) if tone]
+    assert column.unit == unit
+    assert in_unit(goal, unit) == pytest.approx(value, rel=1e-12)
+
+
+OILED = {**LOADED, "lubricant": "ISO VG 68", "temperature.lubricant": "70 degC"}
+
+
+def test_a_torque_is_qualified_by_what_its_friction_rests_on() -> None:
+    """Its coefficient of friction is assumed: the headline of `friction` says so, this one too."""
+    wanted = "friction_torque_jones_simplified=0.2 N*m"
+    asked = GoalSeek(case="6310", changes=OILED, vary="duty.load.fz=2..20kN", wanted=wanted)
+    found = asked.run()
+    friction = analyse(found.cases[0])
+    expected = {note.key for note in friction.friction.qualifications(friction.solved)}
+    assert expected
+    assert expected <= {note.key for note in found.notes}

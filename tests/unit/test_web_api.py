@@ -473,7 +473,6 @@ def test_any_json_is_answered_or_refused(examples: int) -> None:
     run()
 
 
-@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of the overflow itself
 def test_what_overflows_is_null() -> None:
     """A speed so small that a life in hours is beyond all numbers: no request ends by it."""
     duty = {"inner_speed": "1e-320 rpm", "load": {"fx": "1 kN", "fz": "5 kN"}}

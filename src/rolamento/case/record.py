@@ -296,7 +296,9 @@ def _completed(
     full_path = (*path, cause.field) if cause.field else path
     known = cause.with_details(field=".".join(full_path))
     if not cause.field:
-        known = known.with_details(value=given, example=example_of(parent, path) or None)
+        whole = not isinstance(given, list | tuple) or cause.value is ABSENT  # not one of several
+        value = given if whole else cause.value
+        known = known.with_details(value=value, example=example_of(parent, path) or None)
     return known
 
 

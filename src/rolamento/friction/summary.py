@@ -530,8 +530,6 @@ def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
             lost = rolling_resistance_loss(solved, viscosity[:, 0])
         if rolls.any():
             lost = lost.beside(line_resistance_loss(solved, viscosity))
-    return torque_of_losses(
-        ROLLING_RESISTANCE,
-        solved,
-        {ROLLING_RESISTANCE: lost.scaled(1.0 / turning)},
-    )
+    with np.errstate(over="ignore", invalid="ignore"):  # of a speed next to none
+        lost = lost.scaled(1.0 / turning)
+    return torque_of_losses(ROLLING_RESISTANCE, solved, {ROLLING_RESISTANCE: lost})

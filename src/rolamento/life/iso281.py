@@ -65,7 +65,7 @@ def hours(life: ArrayLike, speed: ArrayLike) -> FloatArray:
     1000 h
     """
     turns_per_hour = np.abs(numbers(speed, "speed")) * 1800.0 / np.pi
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         found = numbers(life, "life") * MILLION / turns_per_hour
     return np.asarray(np.where(turns_per_hour > 0.0, found, np.nan))
 

@@ -123,13 +123,16 @@ def _table(found: Goal) -> Table:
     order = np.argsort(values, kind="stable")
     unit = readable_unit(found.output.unit, numbers, found.output.name)
     tones: list[Tone] = ["good-strong" if place >= len(curve.values) else "" for place in order]
-    shown = [float(one) if np.isfinite(one) else ABSENT for one in numbers[order]]
+    read, known = unit.of(numbers[order]), unit.symbol in UNITS
+    if known:  # what an output has in hours or 10⁶ rev is in SI here, as in every table
+        factor, offset = UNITS[unit.symbol]
+        read = (read - offset) / factor
     column = Column(
-        found.output.label,
-        shown,
+        found.output.label if known else unit.label(found.output.label),
+        [float(one) if np.isfinite(one) else ABSENT for one in read],
         found.output.name,
-        unit.symbol if unit.symbol in UNITS else "",
-        figures=4,
+        unit.symbol if known else "",
+        most=6,
         tones=tones,
     )
     return Table((field_column(found.field, values[order]), column), "curve")

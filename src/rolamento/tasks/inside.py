@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 from pydantic import model_validator
 
 from rolamento.errors import InputError, arguments, phrase
+from rolamento.io.json import dumps
 from rolamento.tasks.case_request import (
     VARIANTS,
     CaseRequest,
@@ -106,7 +107,6 @@ class TurnRequest(CaseRequest):
 
     def run(self, progress: Progress = quietly) -> Finding:
         """Find it, a `CageTurn`."""
-        from rolamento.io.json import dumps
         from rolamento.pages.turn import turn_page
         from rolamento.plots.cage_turn import cage_turn_figure
         from rolamento.studies.cage_turn import cage_turn
@@ -176,17 +176,17 @@ class FrictionRequest(OverRequest):
         """Find it, an `Analysis` with friction, or over a field a `FrictionCurve` each."""
         if self.over is not None:
             return self._curves()
-        from rolamento.io.json import dumps
         from rolamento.pages.friction import friction_page
         from rolamento.tasks.friction import friction_mapping, friction_of_case
 
         found = friction_of_case(self.loaded(), hysteresis=self.hysteresis)
         why = why_not(found.solved, advised=True)
-        text = partial(lambda one: dumps(friction_mapping(one), indent=2), found)
-        return Finding(found, partial(friction_page, found), text, None, why, not why)
+        return Finding(
+            found, partial(friction_page, found), lambda: dumps(friction_mapping(found), indent=2),
+            None, why, not why,
+        )  # fmt: skip
 
     def _curves(self) -> Finding:
-        from rolamento.io.json import dumps
         from rolamento.pages.friction_over import friction_over_page
         from rolamento.plots.friction import friction_figure
         from rolamento.studies.friction_curves import curves_mapping, friction_curve
@@ -299,7 +299,6 @@ class HeatRequest(RangeRequest):
         )  # fmt: skip
 
     def _over(self, case: Case) -> Finding:
-        from rolamento.io.json import dumps
         from rolamento.pages.heat import heat_over_page
         from rolamento.plots.heat import heat_over_figure
         from rolamento.studies.heat_curves import heat_over

@@ -279,10 +279,10 @@ class LifeRequest(OverRequest):
         tables = {"nsk_table": self.nsk_table, "decimal_mark": self.decimal_mark}
         if self.over is not None:
             return self._curves(tables)
+        from rolamento.tasks.life import names_of
+
         cases = [self._clean(self.loaded(source)) for source in self._sources]
-        titles = [own.title for own in cases]
-        distinct = all(titles) and len(set(titles)) == len(titles)
-        names = titles if distinct else [str(source) for source in self._sources]
+        names = names_of(cases, self._sources)
         if self.spectrum is not None:
             return self._under_steps(cases, names, tables)
         return _of_shaft(cases, names, tables) if len(cases) > 1 else _of_case(cases[0], tables)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -28,7 +28,10 @@ from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.words import said
 
-__all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
+__all__ = [
+    "MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft",
+    "names_of",
+]  # fmt: skip
 
 MOST_BEARINGS: Final = 50
 SCHEMA: Final = 3
@@ -177,6 +180,13 @@ def life_of_case(
         return CaseLife(solved, None, ())
     friction = analyse(solved, quick=True).friction
     return CaseLife(solved, found, sensitivity(solved, given), friction)
+
+
+def names_of(cases: Sequence[Case], otherwise: Iterable[object]) -> list[str]:
+    """Return what bearings are called: by their titles if these differ, else as is given."""
+    titles = [case.title for case in cases]
+    distinct = all(titles) and len(set(titles)) == len(titles)
+    return titles if distinct else [str(one) for one in otherwise]
 
 
 def life_of_shaft(

@@ -250,7 +250,7 @@ class Input:
         for key, value in pairs.items():
             if key not in known or value is None:
                 rule = said("must be KEY=VALUE; KEY is one of {known}", known=", ".join(known))
-                raise InputError(rule, value=key)
+                raise InputError(rule, value=key if value is None else f"{key}={value}")
             if not isinstance(value, str):
                 self._checked(value)
         return pairs

@@ -210,7 +210,7 @@ class GoalSeek(CaseRequest):
             at, is_jump = _closed_in(curve, target, low, high)
             (jumps if is_jump else found).append(at)
         cases = tuple(case.with_({curve.field.name: at}) for at in found)
-        notes = dict.fromkeys(note for one in cases for note in _notes_of(one, output))
+        notes = dict.fromkeys(note for one in cases for note in _notes_of(one, curve.output))
         return Goal(curve, target, tuple(found), tuple(jumps), cases, tuple(notes))
 
     def _ranges(
@@ -310,16 +310,20 @@ def _size(numbers: FloatArray) -> float:
     return 1e-3 * float(np.nanmax(np.abs(numbers)))
 
 
-def _notes_of(case: Case, output: str) -> tuple[Note, ...]:
-    """Return what qualifies a result: of the state, and of the life or the film that it is of."""
+def _notes_of(case: Case, output: Output) -> tuple[Note, ...]:
+    """Return what qualifies a result: of the state, and of the laws that the output rests on."""
     from rolamento.analysis import analyse
 
-    found = analyse(case, quick=True)
+    found = analyse(case)
     notes = [*found.solved.notes[0]]
-    if output.startswith("life") and found.life is not None:
+    if "life" in output.needs and found.life is not None:
         theories = found.life.theories
-        own = next((theories[name] for name in theories if output.endswith(f"_{name}")), None)
+        own = next((theories[name] for name in theories if output.name.endswith(f"_{name}")), None)
         notes += found.life.qualifications() if own is None else own.notes_of()
-    if "film" in output and found.film is not None:
+    if "friction" in output.needs and found.friction is not None:
+        models = [one for one in found.friction.validity if output.name.endswith(f"_{one.model}")]
+        notes += found.friction.qualifications(found.solved)
+        notes += [note for one in models for note in one.notes_of()]
+    if "lubricant" in output.needs and found.film is not None:
         notes += found.film.notes_of()
     return tuple(notes)

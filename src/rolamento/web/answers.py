@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -29,6 +29,7 @@ __all__ = [
     "read_json",
     "received",
     "refused",
+    "written",
 ]
 
 MOST_JSON: Final = 1_000_000
@@ -79,6 +80,13 @@ def answer(
     """Return JSON as a response: the text of a record's `to_json`, or a mapping to be written."""
     text = content if isinstance(content, str) else dumps(content)
     return Response(text, status, headers, media_type="application/json")
+
+
+def written(
+    function: Callable[[Mapping[str, Any]], Mapping[str, Any]], asked: Mapping[str, Any]
+) -> str:
+    """Return what a function answers as JSON: who works it out writes it too, not the server."""
+    return dumps(function(asked))
 
 
 def error_object(error: InputError) -> dict[str, Any]:

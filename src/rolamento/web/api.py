@@ -124,7 +124,7 @@ def _batch(asked: BatchRequest) -> str:
 
 
 def _life(asked: LifeRequest) -> str:
-    from rolamento.tasks.life import life_of_case, life_of_shaft
+    from rolamento.tasks.life import life_of_case, life_of_shaft, names_of
 
     if not asked.bearings:
         return life_of_case(asked.to_case()).to_json()
@@ -132,11 +132,7 @@ def _life(asked: LifeRequest) -> str:
         rule = said("cannot be combined with a case: a shaft has its bearings alone")
         raise InputError(rule, field="bearings")
     cases = [_of_list(one, "bearings", place) for place, one in enumerate(asked.bearings)]
-    titles = [own.title for own in cases]
-    distinct = all(titles) and len(set(titles)) == len(titles)
-    return life_of_shaft(cases).to_json(
-        titles if distinct else [str(place + 1) for place in range(len(cases))]
-    )
+    return life_of_shaft(cases).to_json(names_of(cases, range(1, len(cases) + 1)))
 
 
 def _of_list(asked: CaseRequest, name: str, place: int) -> rolamento.Case:

@@ -21,7 +21,7 @@ import anyio
 import anyio.to_thread
 
 from rolamento.errors import InputError
-from rolamento.web.limits import MOST_WAITING, busy, in_language
+from rolamento.web.limits import Limits, in_language
 from rolamento.web.warming import make_follower_ready
 from rolamento.words import language
 
@@ -52,7 +52,7 @@ class Hands:
         self, processes: int = PROCESSES, ready: Callable[[], None] = make_follower_ready
     ) -> None:
         self._processes, self._make_ready = processes, ready
-        self._turns = anyio.CapacityLimiter(1)
+        self._queue = Limits(at_once=1)
         self._starting: asyncio.Task[None] | None = None
         self._pool: ProcessPoolExecutor | None = None
 
@@ -69,12 +69,10 @@ class Hands:
         RequestError
             503, if too many wait.
         """
-        waiting = self._turns.statistics().tasks_waiting
-        if waiting >= MOST_WAITING["fast"]:
-            raise busy()
-        if waiting > _FEW and self._processes and self._starting is None:
+        self._queue.check()
+        if self._queue.waiting > _FEW and self._processes and self._starting is None:
             self._starting = asyncio.create_task(self._start())
-        async with self._turns:
+        async with self._queue.limiter:
             if (pool := self._pool) is not None:
                 try:
                     return await _beside(pool, function, *args)
@@ -100,7 +98,8 @@ class Hands:
                 raise
             _log.warning("no process beside the server could be made ready")
         else:
-            self._pool, self._turns.total_tokens = pool, 1 + self._processes
+            self._pool = pool
+            self._queue.limiter.total_tokens = 1 + self._processes
 
     def close(self) -> None:
         """End the processes."""
@@ -109,7 +108,7 @@ class Hands:
         if self._pool is not None:
             self._pool.shutdown(wait=False, cancel_futures=True)
         self._starting = self._pool = None
-        self._turns.total_tokens = 1
+        self._queue.limiter.total_tokens = 1
 
 
 async def _beside(pool: ProcessPoolExecutor, function: Callable[..., R], *args: Any) -> R:

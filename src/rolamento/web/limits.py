@@ -33,12 +33,10 @@ from rolamento.web.answers import RequestError
 from rolamento.words import language, said, speaking
 
 __all__ = [
-    "MOST_WAITING",
     "VISITOR",
     "Limits",
     "MachineSize",
     "Turns",
-    "busy",
     "by_weight",
     "check_machine",
     "fast",
@@ -51,7 +49,8 @@ R = TypeVar("R")
 
 FAST_AT_ONCE: Final = max(1, (os.cpu_count() or 1) - 2)
 SLOW_AT_ONCE: Final = max(1, os.cpu_count() or 1)
-MOST_WAITING: Final = {"fast": 100, "slow": 8}
+_FAST_WAITING: Final = 100
+_SLOW_WAITING: Final = 8
 """Requests of a kind that may wait for their turn."""
 SECONDS: Final = 60.0
 """That something slow may take, its turn in the queue not counted."""
@@ -64,11 +63,16 @@ VISITOR: Final[ContextVar[Receive | None]] = ContextVar("visitor", default=None)
 
 
 class Limits:
-    """The queue of one kind of work."""
+    """The queue of one kind of work; that of what is fast by default."""
 
-    def __init__(self, at_once: int, most_waiting: int) -> None:
+    def __init__(self, at_once: int, most_waiting: int = _FAST_WAITING) -> None:
         self.limiter = anyio.CapacityLimiter(at_once)
         self.most_waiting = most_waiting
+
+    @property
+    def waiting(self) -> int:
+        """How many requests wait for their turn."""
+        return self.limiter.statistics().tasks_waiting
 
     def check(self) -> None:
         """Refuse a request if too many wait already.
@@ -78,12 +82,11 @@ class Limits:
         RequestError
             503, to be tried again later.
         """
-        if self.limiter.statistics().tasks_waiting >= self.most_waiting:
-            raise busy()
+        if self.waiting >= self.most_waiting:
+            raise _busy()
 
 
-def busy() -> RequestError:
-    """Return the refusal of a request for which there is no room."""
+def _busy() -> RequestError:
     return RequestError(said("too many requests are waiting; try again in a moment"), 503)
 
 
@@ -118,7 +121,7 @@ class Turns:
 
     async def _wait(self, size: float) -> None:
         if len(self._waiting) >= self._most_waiting:
-            raise busy()
+            raise _busy()
         number = next(self._came)
         own = (number + log10(max(size, 1.0)), number, anyio.Event())
         heappush(self._waiting, own)
@@ -132,7 +135,7 @@ class Turns:
             else:  # its turn had come
                 self._pass_on()
             if isinstance(error, TimeoutError):
-                raise busy() from None
+                raise _busy() from None
             raise
 
     def _pass_on(self) -> None:
@@ -145,13 +148,13 @@ class Turns:
 @cache
 def _queue(_thread: int) -> Limits:
     """The queue of what is fast, of an event loop, which is one to a thread."""
-    return Limits(FAST_AT_ONCE, MOST_WAITING["fast"])
+    return Limits(FAST_AT_ONCE)
 
 
 @cache
 def _turns(_thread: int) -> Turns:
     """The queue of slow work, one for each event loop."""
-    return Turns(SLOW_AT_ONCE, MOST_WAITING["slow"])
+    return Turns(SLOW_AT_ONCE, _SLOW_WAITING)
 
 
 _HEAVY: Final = frozenset({"coupled"})

@@ -36,7 +36,7 @@ from rolamento.errors import InputError
 from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.machine import PICTURES, machine_page, machine_picture, machine_report
 from rolamento.tasks.examples import EXAMPLES, TITLES
-from rolamento.web.answers import answer, error_object, read_json
+from rolamento.web.answers import answer, error_object, read_json, written
 from rolamento.web.drops import REPORTS, as_data, file_of, plain_name, response_of
 from rolamento.web.limits import SECONDS, by_weight, check_machine, size_of_machine, slow
 from rolamento.words import language, marked, said
@@ -439,8 +439,10 @@ async def _asked(request: Request) -> Response:
         with suppress(InputError):  # which is said where the request is answered
             tables = with_changes(tables, changes)
     seconds = 0.0 if size_of_machine(tables).is_fast else SECONDS
-    hands = request.app.state.hands
-    return answer(await by_weight(function, asked, asked=asked, seconds=seconds, light=hands.run))
+    light = request.app.state.hands.run
+    return answer(
+        await by_weight(written, function, asked, asked=asked, seconds=seconds, light=light)
+    )
 
 
 async def _reported(request: Request) -> Response:

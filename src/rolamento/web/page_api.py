@@ -17,14 +17,13 @@ from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import built_in_catalogue
 from rolamento.document.html import STYLE as DOCUMENT_STYLE
 from rolamento.errors import InputError
-from rolamento.io.json import dumps
 from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
 from rolamento.tasks.examples import EXAMPLES, TITLES
 from rolamento.tasks.report import inputs_of, names_in
 from rolamento.web import drops
-from rolamento.web.answers import answer, read_json
+from rolamento.web.answers import answer, read_json, written
 from rolamento.web.curves import curve
 from rolamento.web.design import helps, seek, tolerance
 from rolamento.web.form import form, inputs, units
@@ -272,13 +271,6 @@ def example_drawings() -> dict[str, str]:
     return found
 
 
-def _written(
-    function: Callable[[Mapping[str, Any]], Mapping[str, Any]], asked: Mapping[str, Any]
-) -> str:
-    """Answer as JSON: the thread or the process that works it out writes it too."""
-    return dumps(function(asked))
-
-
 def _asks(
     path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]], *, follows: bool = False
 ) -> Route:
@@ -287,7 +279,7 @@ def _asks(
     async def endpoint(request: Request) -> Response:
         asked = await read_json(request)
         light = request.app.state.hands.run if follows else fast
-        return answer(await by_weight(_written, function, asked, asked=asked, light=light))
+        return answer(await by_weight(written, function, asked, asked=asked, light=light))
 
     return Route(path, endpoint, methods=["POST"])
 
