@@ -71,7 +71,7 @@ class Limits:
 
     @property
     def waiting(self) -> int:
-        """How many requests wait for their turn."""
+        """Requests that wait for their turn."""
         return self.limiter.statistics().tasks_waiting
 
     def check(self) -> None:
