@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from importlib import import_module
-from typing import Any, Final, TypeVar
+from pkgutil import resolve_name
+from typing import Final, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,7 +16,7 @@ from rolamento.case.bearing import (
     RowPlace,
 )
 from rolamento.case.duty import AXES, LOADS
-from rolamento.case.parameters import Parameters, parameters_of
+from rolamento.case.parameters import parameters_of
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
@@ -190,7 +190,8 @@ def spread(
     common = parameters_of(case.bearing, case.bearing, frozenset(), arrays)
     _check_own_fields(case.bearing, arrays)
     valid &= common.consistent
-    valid &= _within_reason(displacement, common)
+    limit = np.broadcast_to(common.element_diameter, cases)
+    valid &= (np.abs(displacement[:, :3]) <= limit[:, np.newaxis]).all(axis=1)  # as `Case` has it
     first = arrays.get("duty.first_ball_azimuth", np.asarray(case.duty.first_ball_azimuth))
     placed = []
     for index, place in enumerate(case.bearing.element_rows):
@@ -216,7 +217,7 @@ def spread(
             threads=threads,
             fast=fast,
         )
-        row: Row = _maker(of_row.row)(bearing, running)
+        row: Row = resolve_name(of_row.row)(bearing, running)  # imported now
         position = _position(case.bearing, place, arrays, cases)
         if row.aside is not None:
             position = place.sign * row.aside
@@ -257,12 +258,6 @@ def _unconstrained(
     if isinstance(row, Driven):
         acts = acts | row.driven
     return np.asarray(free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts)))
-
-
-def _maker(of_kind: tuple[str, str]) -> Any:
-    """How a row is made, imported now."""
-    module, name = of_kind
-    return getattr(import_module(module), name)
 
 
 def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:
@@ -399,10 +394,3 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
             field="bearing.outer_conformity",
             example="bearing.inner_conformity",
         )
-
-
-def _within_reason(displacement: FloatArray, bearing: Parameters) -> BoolArray:
-    """A ring does not move by a rolling element, as `Case` has it; (cases,)."""
-    limit = bearing.element_diameter
-    x, y, z = displacement.T[:3]
-    return np.asarray((np.abs(x) <= limit) & (np.abs(y) <= limit) & (np.abs(z) <= limit))

@@ -19,7 +19,7 @@ from rolamento.rows.ball.single import (
     add_force,
     add_to_cage,
     add_to_ring,
-    cage_residual,
+    cage_part,
     condense_cage,
     direction,
     empty_ring,
@@ -127,7 +127,8 @@ def weigh(
     """
     behind, left_out = 0.0, 0.0
     if moving:
-        behind = cage_residual(p, case, lag, ring.pull[0])
+        speeds = p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case]
+        behind = cage_part(lag, ring.pull[0], speeds[0], speeds[1])
         condense_cage(ring)
     else:
         left_out = inertia_of(p, case) / heaviest if heaviest > 0.0 else inertia_of(p, case)
