@@ -249,7 +249,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     columns = Columns(p[: layout.DUTY], p[layout.DUTY :])
     if setting in ("one bearing", "large balls"):
         columns = Columns(columns.duty, columns.bearing[:, :1].copy())
-    assert (columns.length > layout.COLUMN) == (setting == "large balls")
+    assert (len(columns.bearing) > layout.COLUMN - layout.DUTY) == (setting == "large balls")
     solution = solve_columns(columns, control, balls, threads=1)
     (cosines, sines), order = directions(balls), np.arange(cases)
 

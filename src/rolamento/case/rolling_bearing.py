@@ -286,18 +286,6 @@ class RollingBearing(Record):
         """Those of the `places` that have elements of their own."""
         return self.places
 
-    def check_rules(self) -> None:
-        """Refuse what no such bearing has.
-
-        Raises
-        ------
-        InputError
-            Of the first rule that is violated.
-        """
-        for rule in self.RULES:
-            if not rule.holds(self):
-                raise rule.refusal(self)
-
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
         """Register the kind of bearing by its elements."""
@@ -462,14 +450,28 @@ class RollingBearing(Record):
         """Fields that follow from the others."""
         return ()
 
-    def check_set(self) -> None:
-        """Keep arrangement, rows and preload to what goes together.
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        """Keep fields, geometry and rows to what such a bearing has."""
+        for name in ("arrangement", "rows", "preload") if self.kind is not None else ():
+            if getattr(self, name) is not None:
+                raise InputError(
+                    said('does not go with kind = "{kind}"', kind=self.kind),
+                    field=name,
+                    example=said("leave it out, or leave out kind"),
+                )
+        self._check_fields()
+        for rule in self.RULES:
+            if not rule.holds(self):
+                raise rule.refusal(self)
+        self._check_set()
+        return self
 
-        Raises
-        ------
-        InputError
-            If they contradict each other.
-        """
+    def _check_fields(self) -> None:
+        """Keep the fields to those that such a bearing has."""
+
+    def _check_set(self) -> None:
+        """Keep arrangement, rows and preload to what goes together."""
         if self.arrangement is not None and self.rows is not None:
             raise InputError(
                 said("cannot be combined with rows listed one by one"),
