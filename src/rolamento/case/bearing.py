@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Final, Literal, cast, get_args
 
 import numpy as np
@@ -353,16 +352,24 @@ class Bearing(RollingBearing):
         """Material of the balls."""
         return self.ball_material
 
-    @property
-    def places(self) -> tuple[RowPlace, ...]:
-        """The rows of balls along +x, each as a bearing of one row; one if it is no set.
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        """Rows of contacts, each as it would be alone: one groove a ring, at its own angle.
 
         A four-point bearing has one row of balls, and is two rows of contacts at one place: that
         of the arcs which carry toward +x, and its mirror image.
         """
-        if not self._set_by_kind:
-            return super().places
-        return _faces(self, frozenset(self.model_fields_set))
+        alone = self.model_copy(
+            update={
+                "kind": None,
+                "shim_angle": None,
+                "spacing": None,
+                "contact_angle": self.row_angle,
+                "diametral_clearance": None,
+            }
+        )
+        if self.bearing_type.has_arches:
+            return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
+        return rows_about_centre(alone, self.row_angle)
 
     @property
     def carries_one_way(self) -> bool:
@@ -507,26 +514,6 @@ def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> A
     closed: cosine of the contact angle without clearance.
     """
     return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance * closed)
-
-
-@lru_cache(maxsize=1024)
-def _faces(bearing: Bearing, given: frozenset[str]) -> tuple[RowPlace, ...]:
-    """The two rows of contacts of a four-point bearing, or the rows of a self-aligning one.
-
-    Each as it would be alone: one groove a ring, at its own angle. given: the user's own fields.
-    """
-    alone = bearing.model_copy(
-        update={
-            "kind": None,
-            "shim_angle": None,
-            "spacing": None,
-            "contact_angle": bearing.row_angle,
-            "diametral_clearance": None,
-        }
-    )
-    if bearing.bearing_type.has_arches:
-        return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
-    return rows_about_centre(alone, bearing.row_angle)
 
 
 def _rounded_length(value: float) -> str:

@@ -606,13 +606,8 @@ class RollerBearing(RollingBearing):
             return of_grooves(self.kind, self.element)
         return type_of_element(self.element)
 
-    @property
-    def places(self) -> tuple[RowPlace, ...]:
-        """The rows along +x, each as a bearing of one row; one if it is no set."""
-        if not self._set_by_kind:
-            return super().places
-        row = self.model_copy(update={"kind": None})
-        return rows_about_centre(row, self.row_angle)
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        return rows_about_centre(self.model_copy(update={"kind": None}), self.row_angle)
 
     @property
     def element_count(self) -> int:

@@ -330,6 +330,10 @@ class RollingBearing(Record):
         """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
         return _places_of(self, frozenset(self.model_fields_set))
 
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        """The rows that follow from its kind, where any do."""
+        raise NotImplementedError
+
     def own_fields(self, index: int) -> frozenset[str]:
         """Return the fields of its geometry that a row does not take from the set."""
         if self.rows is None:
@@ -622,6 +626,8 @@ def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace
 
     given: the user's own fields, which bearings that are equal may differ in.
     """
+    if bearing._set_by_kind:
+        return bearing._rows_by_kind()
     rows = _rows(bearing)
     if rows is None:
         return (_placed(bearing, 1.0, 0.0, 0.0),)

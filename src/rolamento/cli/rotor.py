@@ -20,6 +20,7 @@ from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import put
 from rolamento.cli.waiting import progress_of
 from rolamento.errors import InputError
+from rolamento.validate import one_of
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -97,11 +98,7 @@ def rotor(
     """
     with plain_endings(lang):
         outputs.check({"--json": json, "--plot": plot}, machine)
-        if picture not in _PICTURES:
-            raise InputError(
-                said("must be one of {known}", known=", ".join(_PICTURES)),
-                source="--picture", value=picture,
-            )  # fmt: skip
+        one_of(picture, "", _PICTURES, source="--picture")
         from rolamento.pages.rotor import vibration_page
         from rolamento.tasks.rotor import machine_vibration
 

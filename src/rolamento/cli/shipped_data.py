@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from rolamento.cli.streams import STANDARD_STREAM
 from rolamento.errors import InputError
+from rolamento.validate import one_of
 from rolamento.words import said
 
 __all__ = ["check_one_given", "data_and_json", "known_example"]
@@ -52,11 +53,5 @@ def known_example(example: str, names: Sequence[str]) -> str:
         If there is no such example.
     """
     name = example.casefold().replace("_", "-")
-    if name not in names:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(names)),
-            source="--example",
-            value=example,
-            example=names[0],
-        )
+    one_of(name, "", names, source="--example")
     return name

@@ -317,12 +317,11 @@ class BallAnswer:
             elements,
             _pressed(found.inner, motion.inner_spin, motion.inner_roll),
             _pressed(found.outer, motion.outer_spin, motion.outer_roll),
-            self._rolling(found.inner, found.outer),
+            None if self.motion is None else self._rolling(self.motion, found.inner, found.outer),
         )
 
-    def _rolling(self, inner: ContactTable, outer: ContactTable) -> Rolling | None:
-        motion = self.motion
-        if motion is None or not np.isfinite(motion.cage_speed).any():
+    def _rolling(self, motion: Motion, inner: ContactTable, outer: ContactTable) -> Rolling | None:
+        if not np.isfinite(motion.cage_speed).any():
             return None
         return Rolling(
             cage_speed=motion.cage_speed,
