@@ -50,12 +50,14 @@ if TYPE_CHECKING:
     from rolamento.catalogue import CatalogueBearing
 
 __all__ = [
+    "BearingLike",
     "Case",
     "case_of",
     "case_to_json",
     "case_to_toml",
     "is_designation",
     "load_case",
+    "name_of",
     "override",
     "parse_case",
     "save_case",
@@ -392,9 +394,16 @@ def load_case(
     )
 
 
-def case_of(
-    source: Case | Bearing | RollerBearing | str | os.PathLike[str], changes: Changes = ()
-) -> Case:
+BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
+"""A designation, a case file (``"-"``: on standard input), a bearing or a case."""
+
+
+def name_of(bearing: BearingLike, case: Case) -> str:
+    """Return what to call a bearing: by the title of its case, or as it was given."""
+    return case.title or (os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else "")
+
+
+def case_of(source: BearingLike, changes: Changes = ()) -> Case:
     """Return a case, that of a file or a designation, or that of a bearing without a load.
 
     Parameters

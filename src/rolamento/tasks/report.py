@@ -17,6 +17,7 @@ import numpy as np
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, case_of, is_designation, parse_case
+from rolamento.case.case import BearingLike
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Changes, Field, of_elements
 from rolamento.case.film_model import FilmModel
@@ -40,7 +41,6 @@ from rolamento.solved.notes import (
     usual_misalignments,
 )
 from rolamento.studies.names import setting_name
-from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension
 from rolamento.words import said
 
