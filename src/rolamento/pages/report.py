@@ -68,6 +68,7 @@ from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, manner, marked, said, worded
 from rolamento.words.headlines import qualifies
 from rolamento.words.reasons import reason
+from rolamento.words.sentences.speeds import LIMIT_NAMES
 from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
@@ -444,6 +445,7 @@ def _summary_rows(report: Report) -> list[_Quantity]:
         extreme(said("maximum contact pressure"), "max_pressure", ".4 MPa"),
         _viscosity_ratio(),
         extreme(said("minimum film parameter λ"), "film_parameter", ".3"),
+        Quantity(said("speed"), _speed, ".5 rpm"),
         _torque(report, said("friction torque"), said("friction torque, at most"), torque),
         _power(report, power),
         ROLLING(said("friction power (friction control)"), "power", power),
@@ -460,6 +462,12 @@ def _reliability(case: CaseReport) -> float | None:
     if life is None or wanted is None:
         return None
     return float(life.reliability_after(wanted)[0])
+
+
+def _speed(case: CaseReport) -> float | None:
+    """The speed of the rings against each other, where there is a limit of it."""
+    limit = case.speed_limit
+    return None if limit is None else limit.share * limit.speed
 
 
 def _static_safety() -> _Quantity:
@@ -578,6 +586,11 @@ def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, Tone
                 1.0 / (high * value),
                 "bad" if value < 1.0 / high else "",
             )
+    if row.label == said("speed") and (limit := case.speed_limit):
+        text = said(
+            "of {limit:.4 rpm} ({name})", limit=limit.speed, name=said(LIMIT_NAMES[limit.name])
+        )
+        return text, limit.share, "warning" if limit.share > 1.0 else ""
     for path, least, refused in _LEAST:
         if row.path == path and value is not None and value > 0.0:
             tone: Tone = "" if value >= least else "bad" if value < refused else "warning"
