@@ -58,13 +58,13 @@ def test_a_missing_axial_load_is_one_that_holds(designation: str, speed: str) ->
 
 @pytest.mark.parametrize(
     ("lubricant", "name"),
-    [("ISO VG 68", "oil bath"), ({"kind": "grease", "base_oil": "ISO VG 100"}, "grease")],
+    [("ISO VG 68", "oil"), ({"kind": "grease", "base_oil": "ISO VG 100"}, "grease")],
 )
 def test_the_speed_stands_beside_its_limit(lubricant: Any, name: str) -> None:
     for speed, tone in (("1480 rpm", ""), ("9000 rpm", "warning")):
         case = {**CASE, "lubricant": lubricant, "duty": {**CASE["duty"], "inner_speed": speed}}
         figures = {one["label"]: one for one in live({"cases": [{"case": case}]})["figures"][0]}
-        assert figures["speed"]["limit"].endswith(f"rpm (limiting speed, {name})")
+        assert figures["speed"]["limit"].endswith(f"rpm ({name})")
         assert figures["speed"]["tone"] == tone
 
 

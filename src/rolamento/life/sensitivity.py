@@ -94,13 +94,22 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     given = conditions_of(solved) if conditions is None else conditions
     case = solved.case
     before = _life(solved, given)
-    found = [Change("less_load", _after(_with_less_load(case), given, before))]
+
+    def after(changed: Case | None) -> float:
+        """Life of a changed case over the one before; NaN where it cannot be, or has no result."""
+        if changed is None:
+            return float("nan")
+        again = replace(solve(changed), before_mounting=solved.before_mounting)  # rated as before
+        return _ratio(_life(again, given), before) if again.converged[0] else float("nan")
+
+    less = _with_less_load(case)
+    found = [] if less is None else [Change("less_load", after(less))]
     mixed = len({place.bearing.element for place in case.bearing.places}) > 1
     for name, step in (("less_clearance", -_CLEARANCE), ("more_clearance", _CLEARANCE)):
         if case.bearing.diametral_clearance is not None and not mixed:  # whose rows have their own
-            found.append(Change(name, _after(_with_clearance(case, step), given, before)))
+            found.append(Change(name, after(_with_clearance(case, step))))
     if isinstance(case.bearing, RollerBearing):
-        found += [Change(name, _after(own, given, before)) for name, own in _of_rollers(case)]
+        found += [Change(name, after(own)) for name, own in _of_rollers(case)]
     summary = life(solved, given, stress_volume=False)
     if summary.contamination_factor is not None:
         found += [
@@ -151,25 +160,19 @@ def _life(solved: Solved, given: LifeConditions) -> float:
     return float(leading.life[0]) if leading.valid[0] else float("nan")
 
 
-def _after(case: Case | None, given: LifeConditions, before: float) -> float:
-    """Life of a changed case over the one before; NaN where it cannot be, or has no result."""
-    if case is None:
-        return float("nan")
-    solved = solve(case)
-    return _ratio(_life(solved, given), before) if solved.converged[0] else float("nan")
-
-
 def _ratio(after: float, before: float) -> float:
     usable = np.isfinite(before) and np.isfinite(after) and before > 0.0
     return after / before if usable else float("nan")
 
 
-def _with_less_load(case: Case) -> Case:
+def _with_less_load(case: Case) -> Case | None:
     names = ("fx", "fy", "fz", "my", "mz")
     load = case.duty.load
     changes: dict[str, Any] = {
-        name: _LOAD * getattr(load, name) for name in names if getattr(load, name) is not None
+        name: _LOAD * getattr(load, name) for name in names if getattr(load, name)
     }
+    if not changes:
+        return None
     return case.replace(duty=case.duty.replace(load=load.replace(**changes)))
 
 

@@ -96,7 +96,8 @@ def in_labels(
 @cache
 def _labels(_language: str) -> Mapping[str, str]:
     """What fields are called on the page, by their names, in the language that is spoken."""
-    return {name: f"“{label_of(name)}”" for name in LABELS if "." in name}
+    own = {name: f"“{label_of(name)}”" for name in LABELS if "." in name}
+    return {**own, " (rolamento catalogue show)": ""}  # of the command line
 
 
 def labelled(error: InputError) -> InputError:

@@ -296,7 +296,7 @@ function layoutOf(given, { offsetWidth: width, offsetHeight: height }, data) {
   if (layout.polar) {
     const round = { gridcolor: colour("line"), linecolor: colour("grey"), exponentformat: "none", separatethousands: true };
     layout.polar = { bgcolor: "rgba(0,0,0,0)", angularaxis: { ...round, ...layout.polar.angularaxis },
-      radialaxis: { ...round, ...layout.polar.radialaxis, title: { text: "" } } };
+      radialaxis: { ...round, tickfont: { size: 10 }, ...layout.polar.radialaxis, title: { text: "" } } };
   }
   return {
     autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: colour("paper"), plot_bgcolor: "rgba(0,0,0,0)",

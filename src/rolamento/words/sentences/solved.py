@@ -580,15 +580,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "unsupported": _unsupported,
     "unsupported_one_sided": _unsupported_one_sided,
     "unsupported_axially": marked(
-        "Nothing supports the inner ring toward -x: an angular contact bearing carries axial load"
-        " toward +x only, and a radial load needs an accompanying axial load (about fz tan(contact"
-        " angle)). Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
+        "Nothing supports the inner ring toward −x: an angular contact bearing carries axial load"
+        " toward +x only, and a radial load needs an accompanying axial load (about F_r tan α)."
+        " Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
         " duty.displacement.x."
     ),
     "unsupported_tandem": marked(
         "Nothing supports the inner ring toward {away}: all rows carry axial load toward {toward}"
-        " only, and a radial load needs an accompanying axial load in every row (about fz"
-        " tan(contact angle)). Reverse the load, add axial load (duty.load.fx), choose an"
+        " only, and a radial load needs an accompanying axial load in every row (about F_r"
+        " tan α). Reverse the load, add axial load (duty.load.fx), choose an"
         ' arrangement with opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
     ),
     "shoulder_lost": marked(
@@ -597,14 +597,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " a smaller axial load or moment, or rings held against tilting keep them in their groove."
     ),
     "springs_overcome": marked(
-        "Nothing supports the inner ring toward -x: an axial load of {load:.4 N} pushes back the"
+        "Nothing supports the inner ring toward −x: an axial load of {load:.4 N} pushes back the"
         " springs, which press with {spring:.4 N}. Choose springs stronger than the load, clamp the"
         " rings (bearing.preload.force), or reverse the load or the set: toward +x the rows that"
         " face + carry it without the springs."
     ),
     "springs_weak": marked(
         "Springs of {spring:.4 N} do not keep the balls of every row in place: in each row a radial"
-        " load needs an accompanying axial load (about fz tan(contact angle)), and a moment needs"
+        " load needs an accompanying axial load (about F_r tan α), and a moment needs"
         " more. Choose stronger springs, clamp the rings (bearing.preload.force), reduce the radial"
         " load or the moment, or hold the tilts."
     ),
