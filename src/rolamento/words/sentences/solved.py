@@ -580,7 +580,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "unsupported": _unsupported,
     "unsupported_one_sided": _unsupported_one_sided,
     "unsupported_axially": marked(
-        "Nothing supports the inner ring toward −x: an angular contact bearing carries axial load"
+        "Nothing supports the inner ring toward -x: an angular contact bearing carries axial load"
         " toward +x only, and a radial load needs an accompanying axial load (about F_r tan α)."
         " Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
         " duty.displacement.x."
@@ -597,7 +597,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " a smaller axial load or moment, or rings held against tilting keep them in their groove."
     ),
     "springs_overcome": marked(
-        "Nothing supports the inner ring toward −x: an axial load of {load:.4 N} pushes back the"
+        "Nothing supports the inner ring toward -x: an axial load of {load:.4 N} pushes back the"
         " springs, which press with {spring:.4 N}. Choose springs stronger than the load, clamp the"
         " rings (bearing.preload.force), or reverse the load or the set: toward +x the rows that"
         " face + carry it without the springs."
