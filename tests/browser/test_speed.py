@@ -8,8 +8,8 @@ from typing import Any
 
 MOVES = 120
 GOAL = 0.060
-"""Seconds at the 95th percentile, of a bearing with fits, grease and temperatures, where a machine of
-two cores has nothing else to do. Every move changes the ends of the axes: it is not traced alone."""
+"""Seconds at the 95th percentile, of a bearing with fits, grease and temperatures, where a machine
+of two cores has nothing else to do. Every move changes the ends of the axes: Plotly draws them."""
 MEASURE = """async moves => {
   const slider = document.querySelector('[data-name="duty.load.fz"] input[type=range]');
   const plot = document.querySelector('[data-key=rosette] .plot');
