@@ -10,19 +10,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-import typer
 import xarray as xr
 from typer.testing import CliRunner
 
-from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.tolerance import tolerance
+from rolamento.cli.requested import program_of
 from rolamento.studies.sensitivity import rank_correlation
 from rolamento.studies.tolerance import tolerance_bands
 
 Run = Callable[..., tuple[int, str, str]]
 
-app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-app.command(cls=JsonCommand)(tolerance)
+app = program_of("studying:ToleranceRequest", "tolerance")
 
 STUDY = """
 title = "218 with its tolerances"

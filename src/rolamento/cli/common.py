@@ -45,8 +45,8 @@ def plain_endings(lang: Language | None) -> Iterator[None]:
         except InputError as error:
             complain(str(error))
             raise typer.Exit(WRONG_INPUT) from None
-        except KeyboardInterrupt:
-            complain(said("interrupted"))
+        except KeyboardInterrupt as stop:  # which may say what is kept
+            complain(str(stop) or said("interrupted"))
             raise typer.Exit(INTERRUPTED) from None
 
 

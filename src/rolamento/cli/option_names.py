@@ -63,7 +63,9 @@ def _option_names(command: Callable[..., None]) -> dict[str, str]:
 
 
 def written(option: str, value: str) -> str:
-    """Write an option with a value, as for a shell."""
+    """Write an option, or what stands for an argument, with a value, as for a shell."""
+    if not option.startswith("--"):
+        return shlex.quote(value.strip('[]"'))
     if value in ("True", "…"):
         return option
     if value.startswith("{"):  # what goes over a case

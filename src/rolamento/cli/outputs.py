@@ -104,10 +104,14 @@ class Outputs:
         self._marks()
         check_outputs({**others, **self.files()}, *read, **rule)
 
+    @property
+    def has_tables(self) -> bool:
+        """Whether tables of the page go to files."""
+        return self.csv is not None or self.xlsx is not None
+
     def show(
         self,
         page: Callable[[], Document],
-        json: str | None = None,
         *others: str | None,
         report: Callable[[], Document] | None = None,
     ) -> None:
@@ -117,12 +121,12 @@ class Outputs:
         ----------
         page
             Returns it; not called where nobody asked for it.
-        json, others
+        others
             Where else the command has written data to.
         report
             Returns what a report has, where that is more than the page.
         """
-        silent = STANDARD_STREAM in (self.csv, json, *others)
+        silent = STANDARD_STREAM in (self.csv, *others)
         if silent and not any(self.files().values()):
             return
         document = page()

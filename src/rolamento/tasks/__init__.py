@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         ElectricalRequest,
         FrictionRequest,
         HeatRequest,
+        ReportRequest,
         SolveRequest,
         StaticRequest,
         TurnRequest,
@@ -52,6 +53,7 @@ if TYPE_CHECKING:
         diagnose_machine,
         read_machine,
     )
+    from rolamento.tasks.machines import MachineCurve, MachineRequest, ShaftRequest
     from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
     from rolamento.tasks.oscillation import (
         OscillationCase,
@@ -69,10 +71,12 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
     from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.rotor import MachineVibration, RotorRequest
     from rolamento.tasks.running import ClearanceRequest, FrequenciesRequest, SpeedRequest
     from rolamento.tasks.seek import Goal, GoalSeek
     from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance, tolerance_of_case
+    from rolamento.tasks.studying import PlotRequest, SweepRequest, ToleranceRequest
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.time_line import ServiceLife, service_life
     from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
@@ -88,11 +92,17 @@ if TYPE_CHECKING:
     )
 
 _NAMES_OF_MODULES: Final = {
+    "studying": (
+        "PlotRequest",
+        "SweepRequest",
+        "ToleranceRequest",
+    ),
     "case_request": ("CaseRequest", "Finding"),
     "inside": (
         "ElectricalRequest",
         "FrictionRequest",
         "HeatRequest",
+        "ReportRequest",
         "SolveRequest",
         "StaticRequest",
         "TurnRequest",
@@ -104,6 +114,7 @@ _NAMES_OF_MODULES: Final = {
         "OscillationRequest",
         "ServiceLifeRequest",
     ),
+    "rotor": ("MachineVibration", "RotorRequest"),
     "running": ("ClearanceRequest", "FrequenciesRequest", "SpeedRequest"),
     "demonstration": ("example_case", "write_example"),
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
@@ -116,6 +127,7 @@ _NAMES_OF_MODULES: Final = {
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
+    "machines": ("MachineCurve", "MachineRequest", "ShaftRequest"),
     "noise": ("FullScale", "NoiseLevel", "NoiseResult"),
     "oscillation": (
         "OscillationCase",
@@ -183,13 +195,17 @@ __all__ = [
     "LifeRequest",
     "LifeTestEvaluation",
     "Machine",
+    "MachineCurve",
     "MachineDiagnosis",
+    "MachineRequest",
+    "MachineVibration",
     "NoiseLevel",
     "NoiseResult",
     "OilRequest",
     "OscillationCase",
     "OscillationRequest",
     "OscillationSpectrum",
+    "PlotRequest",
     "PrecisionStudy",
     "PrecisionTest",
     "Records",
@@ -198,17 +214,22 @@ __all__ = [
     "ReplacementRequest",
     "ReplacementStudy",
     "Report",
+    "ReportRequest",
     "Request",
+    "RotorRequest",
     "ServiceLife",
     "ServiceLifeRequest",
     "SeverityResult",
     "ShaftLife",
+    "ShaftRequest",
     "SolveRequest",
     "SpectrumLife",
     "SpeedRequest",
     "StaticRequest",
     "Sweep",
+    "SweepRequest",
     "SynthesisResult",
+    "ToleranceRequest",
     "TooShort",
     "TrendEvaluation",
     "TrendStudy",

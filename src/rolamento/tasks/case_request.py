@@ -26,6 +26,7 @@ __all__ = [
     "VARIANTS",
     "CaseRequest",
     "Finding",
+    "FindingRequest",
     "OverRequest",
     "RangeRequest",
     "drawn",
@@ -48,7 +49,7 @@ _MOST_VARIANTS: Final = 5
 
 @frozen(eq=False)
 class Finding:
-    """What is found of a case, with its page, its data and its picture.
+    """What is found, with its page, its data and its picture.
 
     Attributes
     ----------
@@ -56,6 +57,10 @@ class Finding:
         the record
     page, to_json, picture
         return what people read, everything as JSON, and a figure
+    report
+        returns the page of a report, where that is more
+    text
+        plain text in the place of a page
     complaint
         why there is no result, for who reads the data alone; "" if there is one
     is_result
@@ -63,14 +68,39 @@ class Finding:
     """
 
     found: Any
-    page: Callable[[], Document]
-    to_json: Callable[[], str]
+    page: Callable[[], Document] | None = None
+    to_json: Callable[[], str] = str
     picture: Callable[[], Any] | None = None
     complaint: str = ""
     is_result: bool = True
+    report: Callable[[], Document] | None = None
+    text: str | None = None
 
 
-class CaseRequest(Request):
+class FindingRequest(Request):
+    """A use case that returns a `Finding`."""
+
+    counts: ClassVar = False
+    waiting: ClassVar = SOLVING
+
+    def has_result(self, found: Any) -> bool:
+        """Return whether what was asked for is found."""
+        return bool(found.is_result)
+
+    def json_text(self, found: Any) -> str:
+        """Return all that is found as JSON."""
+        return str(found.to_json())
+
+    def report(self, found: Any) -> Callable[[], Document] | None:
+        """Return what makes the page of a report, where that is more than the page."""
+        return found.report  # type: ignore[no-any-return]
+
+    def text(self, found: Any) -> str | None:
+        """Return what people read in the place of a page; None where there is a page."""
+        return found.text  # type: ignore[no-any-return]
+
+
+class CaseRequest(FindingRequest):
     """A use case of a case.
 
     Parameters
@@ -86,16 +116,6 @@ class CaseRequest(Request):
 
     headings: ClassVar = (_DUTY,)
     takes_case: ClassVar = True
-    counts: ClassVar = False
-    waiting: ClassVar = SOLVING
-
-    def has_result(self, found: Any) -> bool:
-        """Return whether what was asked for is found."""
-        return bool(found.is_result)
-
-    def json_text(self, found: Any) -> str:
-        """Return all that is found as JSON."""
-        return str(found.to_json())
 
     def loaded(
         self,
@@ -184,10 +204,7 @@ class RangeRequest(CaseRequest):
         from rolamento.studies.ranges import read_range
 
         assert self.over is not None
-        try:
-            return read_range(self.over, self.points, log=self.log)
-        except InputError as error:
-            raise error.with_details(field=error.field.removeprefix("--")) from None
+        return read_range(self.over, self.points, log=self.log)
 
 
 class OverRequest(RangeRequest):

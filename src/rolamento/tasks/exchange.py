@@ -11,7 +11,7 @@ from rolamento.analysis.machine import analyse_machine
 from rolamento.case import Case
 from rolamento.case.machine import Machine, load_machine
 from rolamento.catalogue import catalogues as catalogues_beside
-from rolamento.errors import FileError, InputError
+from rolamento.errors import FileError, InputError, arguments
 from rolamento.exchange.fmi import between_points, fmu_bytes
 from rolamento.exchange.rexs import (
     Exported,
@@ -276,8 +276,8 @@ def check_wanted(ending: str, wanted: Wanted) -> None:
             raise InputError(rule, field=f"--{name}")
     if ending == ".toml" and wanted.ross is None:
         raise InputError(
-            said("is missing: elements for ROSS need its version"), field="--ross",
-            example="--ross 3",
+            said("is missing: elements for ROSS need its version"), field="ross",
+            example=arguments(ross=3),
         )  # fmt: skip
 
 
@@ -331,8 +331,8 @@ def _fmu(
         names = ", ".join(one.name for one in subject.bearings)
         raise InputError(
             said("is missing: an FMU is of one bearing; one of {names}", names=names),
-            field="--bearing",
-            example=f"--bearing '{subject.bearings[0].name}'",
+            field="bearing",
+            example=arguments(bearing=subject.bearings[0].name),
         )
     # with a point between every two, by which what is linear between them is judged
     found = mapped(

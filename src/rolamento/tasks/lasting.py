@@ -150,7 +150,7 @@ class GreaseRequest(CaseRequest):
 
 
 class OilRequest(CaseRequest):
-    """Show which ISO viscosity grade gives a wanted κ.
+    """Show which ISO viscosity grade gives the required κ.
 
     The hottest decides; what the grade does in the coldest stands beside.
 

@@ -31,7 +31,6 @@ from rolamento.web.requests import (
     LifeRequest,
     MachineRequest,
     ReportRequest,
-    RotorRequest,
     WeibullRequest,
     asking,
 )
@@ -148,37 +147,17 @@ def _shaft(asked: MachineRequest) -> str:
     return rolamento.analyse_machine(asked.to_machine()).to_json(indent=None)
 
 
-def _rotor(asked: RotorRequest) -> str:
-    from rolamento.tasks.rotor import machine_vibration
-
-    try:
-        return machine_vibration(
-            asked.to_machine(),
-            speeds=asked.speeds,
-            shaft=asked.shaft,
-            points=asked.points,
-            count=asked.modes,
-            orders=asked.orders,
-            damping=asked.damping,
-        ).to_json()
-    except InputError as error:  # of the command's options
-        if not (error.field or "").startswith("--"):
-            raise
-        name = (error.field or "").removeprefix("--")
-        raise error.with_details(field=name, example=arguments(speeds="0..6000rpm")) from None
-
-
 def _run(
-    request: type[tasks.CaseRequest], *names: str, needs_load: bool = True
-) -> tuple[Callable[[Any], str], type[CaseRequest]]:
-    """Return what runs a use case of a case, and the record that its body holds.
+    request: type[tasks.Request], *names: str, needs_load: bool = True
+) -> tuple[Callable[[Any], str], type[CaseRequest] | type[MachineRequest]]:
+    """Return what runs a use case of a case or a machine, and the record that its body holds.
 
     names: of what else it may be given.
     """
 
-    def run(asked: CaseRequest) -> str:
+    def run(asked: CaseRequest | MachineRequest) -> str:
         given = {name: one for name in names if (one := getattr(asked, name)) is not None}
-        done = request(case=asked.to_case(needs_load=needs_load), **given)
+        done = request(**asked.subject(needs_load=needs_load), **given)
         return done.json_text(done.run())
 
     return run, asking(request, *names)
@@ -382,8 +361,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
             "Natural frequencies, mode shapes, critical speeds and the response to unbalance. As"
             " rolamento rotor MACHINE --json."
         ),
-        _rotor,
-        RotorRequest,
+        *_run(tasks.RotorRequest, "speeds", "shaft", "points", "modes", "orders", "damping"),
         {**_ON_SHAFT, "speeds": "0..6000rpm", "points": 3, "modes": 4},
         has=("schema", "kind", "title", "modes", "campbell", "unbalance_response"),
         seconds=120.0,

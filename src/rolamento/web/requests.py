@@ -26,13 +26,11 @@ from rolamento.case.quantity import Ratio
 from rolamento.case.record import Record
 from rolamento.case.report import ReportHead
 from rolamento.errors import InputError
-from rolamento.rotors import MOST_MODES
 from rolamento.studies.outputs import DEFAULT_OUTPUTS
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.life import MOST_BEARINGS
 from rolamento.tasks.report import MOST_CASES
 from rolamento.tasks.request import Request as UseCase
-from rolamento.tasks.rotor import MOST_ORDERS
 from rolamento.web.limits import check_machine
 from rolamento.weibull.life_test import MAXIMUM_ROWS
 from rolamento.words import said
@@ -44,7 +42,6 @@ __all__ = [
     "LifeRequest",
     "MachineRequest",
     "ReportRequest",
-    "RotorRequest",
     "WeibullRequest",
     "asking",
 ]
@@ -119,6 +116,10 @@ class CaseRequest(Record):
         default_factory=dict, max_length=_MOST_SETTINGS, examples=[_SETTINGS]
     )
 
+    def subject(self, *, needs_load: bool = True) -> dict[str, Any]:
+        """Return what a use case of a case is of, by the name of its field."""
+        return {"case": self.to_case(needs_load=needs_load)}
+
     def to_case(self, *, needs_load: bool = True) -> Case:
         """Return the case.
 
@@ -145,27 +146,6 @@ class CaseRequest(Record):
             rule = said("is missing: nothing loads the bearing")
             raise InputError(rule, field="duty.load", example='{"duty.load.fz": "5 kN"}')
         return case if case.title else case.replace(title=self.designation.strip())
-
-
-def asking(request: type[UseCase], *names: str) -> type[CaseRequest]:
-    """Return a record of a case, and of what else a use case is given.
-
-    Parameters
-    ----------
-    request
-        The use case.
-    names
-        Of its fields that it may be given here.
-    """
-    inputs, means = request.inputs(), request.meanings()
-    fields: dict[str, Any] = {}
-    for name in names:
-        one, default = inputs[name], request.model_fields[name].default
-        shown = Field(default, description=means[name], examples=[one.example])
-        fields[name] = (Annotated[Any, one], shown)
-    of_case = (CaseRequest.__doc__ or "").partition("\n\n")[2]
-    doc = f"{request.summary()}\n\n{inspect.cleandoc(of_case)}"
-    return create_model(request.__name__, __base__=CaseRequest, __doc__=doc, **fields)
 
 
 class BatchRequest(CaseRequest):
@@ -252,6 +232,10 @@ class MachineRequest(Record):
         default_factory=dict, max_length=_MOST_SETTINGS, examples=[{"loads.0.fz": "-3 kN"}]
     )
 
+    def subject(self, *, needs_load: bool = True) -> dict[str, Any]:
+        """Return what a use case of a machine is of, by the name of its field."""
+        return {"machine": self.to_machine()}
+
     def to_machine(self) -> Machine:
         """Return the machine.
 
@@ -265,39 +249,26 @@ class MachineRequest(Record):
         return machine
 
 
-class RotorRequest(MachineRequest):
-    """A machine of which vibration is to be found.
+def asking(request: type[UseCase], *names: str) -> type[CaseRequest] | type[MachineRequest]:
+    """Return a record of a case or a machine, and of what else a use case is given.
 
     Parameters
     ----------
-    machine
-        The tables of a machine file.
-    settings
-        Values over the machine, by their dotted names; null takes one away.
-    speeds
-        Of a shaft, such as "0..6000rpm"; to 1.5 times its own by default.
-    shaft
-        Whose speeds; the first that turns by default.
-    points
-        Number of speeds.
-    modes
-        Number of modes.
-    orders
-        Of the rotation, at which critical speeds are sought.
-    damping
-        Damping over stiffness, in s.
+    request
+        The use case.
+    names
+        Of its fields that it may be given here.
     """
-
-    speeds: Text | None = Field(None, examples=["0..6000rpm"])
-    shaft: Text | None = Field(None, examples=["shaft"])
-    points: int = Field(40, strict=True, ge=2, le=100, examples=[40])
-    modes: int = Field(8, strict=True, ge=1, le=MOST_MODES, examples=[8])
-    orders: tuple[Annotated[float, Ratio(above=0.0, at_most=1e4)], ...] = Field(
-        (1.0,), min_length=1, max_length=MOST_ORDERS, examples=[[1.0, 2.0]]
-    )
-    damping: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] | None = Field(
-        None, examples=[1e-5]
-    )
+    inputs, means = request.inputs(), request.meanings()
+    fields: dict[str, Any] = {}
+    for name in names:
+        one, default = inputs[name], request.model_fields[name].default
+        shown = Field(default, description=means[name], examples=[one.example])
+        fields[name] = (Annotated[Any, one], shown)
+    base = CaseRequest if request.takes_case else MachineRequest
+    of_subject = (base.__doc__ or "").partition("\n\n")[2]
+    doc = f"{request.summary()}\n\n{inspect.cleandoc(of_subject)}"
+    return create_model(request.__name__, __base__=base, __doc__=doc, **fields)
 
 
 class LifeTestTable(Record):
