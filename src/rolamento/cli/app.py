@@ -89,7 +89,7 @@ Each with the first line of its own help, so that the list imports none of them.
 _LINES: Final = {name: line for lines in COMMANDS.values() for name, line in lines.items()}
 
 _MODULES: Final = {
-    "app": "browser", "examples": "new", "import": "exchange", "export": "exchange",
+    "app": "browser", "examples": "new",
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
@@ -99,9 +99,11 @@ _REQUESTS: Final = {
     "diagnose": "vibration_diagnosis:VibrationDiagnosis",
     "electrical": "inside:ElectricalRequest",
     "frequencies": "running:FrequenciesRequest",
+    "export": "exchange:ExportRequest",
     "friction": "inside:FrictionRequest",
     "grease": "lasting:GreaseRequest",
     "heat": "inside:HeatRequest",
+    "import": "exchange:ImportRequest",
     "life": "lasting:LifeRequest",
     "oil": "lasting:OilRequest",
     "oscillation": "lasting:OscillationRequest",
@@ -116,6 +118,7 @@ _REQUESTS: Final = {
     "speed": "running:SpeedRequest",
     "static": "inside:StaticRequest",
     "sweep": "studying:SweepRequest",
+    "synthesise": "recipe:SynthesisRequest",
     "tolerance": "studying:ToleranceRequest",
     "trend": "weibull:TrendEvaluation",
     "turn": "inside:TurnRequest",

@@ -21,7 +21,7 @@ from rolamento.cli.shipped_data import check_one_given, data_and_json
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 from rolamento.io.writing import write_text
-from rolamento.words import marked, said
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.tasks.request import Input, Request
@@ -62,7 +62,12 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 typed["tables"] = outputs.has_tables
             asked = _asked(request, typed, given)
             target = asked.target
-            outputs.check({"--output": target, "--json": json, **files}, *read)
+            others = {
+                one.long_option(name): typed[name]
+                for name, one in inputs.items()
+                if one.kind == "target" and name != "output"
+            }
+            outputs.check({"--output": target, **others, "--json": json, **files}, *read)
             _refuse_there(asked)
             for option, path in files.items():
                 check = request.products[option.removeprefix("--")].check
@@ -75,15 +80,17 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
             elif target is not None:
                 asked.write(found, target)
             _write(asked, found, files)
+            if STANDARD_STREAM in others.values() and asked.has_result(found):
+                json = STANDARD_STREAM  # what another target holds is its JSON
             if json is not None:
                 put(asked.json_text(found) + "\n", json)
-            others, text = (json, target, *files.values()), asked.text(found)
-            if text is None:
-                outputs.show(lambda: asked.page(found), *others, report=asked.report(found))
-            elif STANDARD_STREAM not in others:
-                print_text(text)
+            taken, has_page = (json, target, *files.values()), asked.has_page(found)
+            if has_page:
+                outputs.show(lambda: asked.page(found), *taken, report=asked.report(found))
+            if STANDARD_STREAM not in taken:
+                print_text(asked.text(found))
             complaint = asked.complaint(found)
-            if complaint and (text is not None or STANDARD_STREAM in (outputs.csv, *others)):
+            if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *taken)):
                 for line in complaint.splitlines():
                     complain(line)
         raise typer.Exit(SOLVED if asked.has_result(found) else NO_RESULT)
@@ -93,7 +100,8 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     command.__name__, command.__doc__ = name, request.summary()
     groups: dict[str, tuple[str, ...]] = request.options_by_heading()
     written = (*request.products, *(("write",) if request.ships else ()))
-    groups[marked("Output")] = (*written, "json", *OUTPUT_OPTIONS, "lang", "help")
+    targets = groups.pop("Output", ())
+    groups["Output"] = (*targets, *written, "json", *OUTPUT_OPTIONS, "lang", "help")
     if request.takes_case:
         first = next(iter(groups))
         groups[first] += tuple(name for name in CASE_OPTIONS if name not in inputs)
@@ -154,7 +162,7 @@ def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
         else:
             kind = kind | None
     else:
-        names = ("--output", "-o") if one.kind == "target" else (one.long_option(name),)
+        names = ("--output", "-o") if name == "output" else (one.long_option(name),)
         made = typer.Option(*names, metavar=metavar, help=meaning)
         kind = list[str] | None if one.is_many else str | None
         if one.kind == "target" and one.essential:

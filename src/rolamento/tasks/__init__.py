@@ -20,6 +20,7 @@ if TYPE_CHECKING:
         rank_bearings,
     )
     from rolamento.tasks.drawing import Drawing, Kind, draw
+    from rolamento.tasks.exchange import ExportRequest, ImportRequest, Written
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
     from rolamento.tasks.grease import GreaseCase, choose_oil_of_case, grease_of_case
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
@@ -61,6 +62,7 @@ if TYPE_CHECKING:
         life_in_oscillation,
         life_under_oscillations,
     )
+    from rolamento.tasks.recipe import SynthesisRequest
     from rolamento.tasks.replace import (
         FleetRequest,
         FleetStudy,
@@ -92,6 +94,12 @@ if TYPE_CHECKING:
     )
 
 _NAMES_OF_MODULES: Final = {
+    "exchange": (
+        "ExportRequest",
+        "ImportRequest",
+        "Written",
+    ),
+    "recipe": ("SynthesisRequest",),
     "studying": (
         "PlotRequest",
         "SweepRequest",
@@ -176,6 +184,7 @@ __all__ = [
     "Drawing",
     "DutyLife",
     "ElectricalRequest",
+    "ExportRequest",
     "Finding",
     "FleetRequest",
     "FleetStudy",
@@ -189,6 +198,7 @@ __all__ = [
     "GreaseRequest",
     "HeatRequest",
     "History",
+    "ImportRequest",
     "Input",
     "Kind",
     "LifeCurve",
@@ -228,6 +238,7 @@ __all__ = [
     "StaticRequest",
     "Sweep",
     "SweepRequest",
+    "SynthesisRequest",
     "SynthesisResult",
     "ToleranceRequest",
     "TooShort",
@@ -237,6 +248,7 @@ __all__ = [
     "UnknownResult",
     "VibrationDiagnosis",
     "VibrationSeverity",
+    "Written",
     "calculation_report",
     "choose_oil_of_case",
     "compare_variants",

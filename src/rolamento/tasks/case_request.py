@@ -60,7 +60,7 @@ class Finding:
     report
         returns the page of a report, where that is more
     text
-        plain text in the place of a page
+        plain text behind the page, or in its place
     complaint
         why there is no result, for who reads the data alone; "" if there is one
     is_result
@@ -74,7 +74,7 @@ class Finding:
     complaint: str = ""
     is_result: bool = True
     report: Callable[[], Document] | None = None
-    text: str | None = None
+    text: str = ""
 
 
 class FindingRequest(Request):
@@ -95,9 +95,13 @@ class FindingRequest(Request):
         """Return what makes the page of a report, where that is more than the page."""
         return found.report  # type: ignore[no-any-return]
 
-    def text(self, found: Any) -> str | None:
-        """Return what people read in the place of a page; None where there is a page."""
-        return found.text  # type: ignore[no-any-return]
+    def has_page(self, found: Any) -> bool:
+        """Return whether there is a page."""
+        return found.page is not None
+
+    def text(self, found: Any) -> str:
+        """Return what people read behind the page, or in its place."""
+        return str(found.text)
 
 
 class CaseRequest(FindingRequest):
@@ -114,7 +118,7 @@ class CaseRequest(FindingRequest):
     case: Annotated[Any, Input("Case", "file", essential=True, metavar="CASE")]
     changes: Any = ()
 
-    headings: ClassVar = (_DUTY,)
+    headings: ClassVar[tuple[str, ...]] = (_DUTY,)
     takes_case: ClassVar = True
 
     def loaded(

@@ -144,7 +144,7 @@ def _check_several(paths: Sequence[str], labels: Sequence[str]) -> None:
     """Refuse files that are none together, and labels that are not theirs."""
     if not 1 <= len(paths) <= _MOST_FILES:
         raise InputError(
-            said("must be 1 to {most} files", most=_MOST_FILES), field="RESULT", value=len(paths)
+            said("must be 1 to {most} files", most=_MOST_FILES), field="results", value=len(paths)
         )
     if labels and len(labels) != len(paths):
         raise InputError(
@@ -153,11 +153,11 @@ def _check_several(paths: Sequence[str], labels: Sequence[str]) -> None:
                 files=len(paths),
                 labels=len(labels),
             ),
-            field="label",
+            field="labels",
             value=labels[-1],
         )
     if len(set(labels)) < len(labels):
-        raise InputError(said("occurs twice"), field="label", value=labels[-1])
+        raise InputError(said("occurs twice"), field="labels", value=labels[-1])
     kinds = [_is_study(path) for path in paths]
     if len(set(kinds)) > 1:
         other = paths[kinds.index(not kinds[0])]
@@ -168,7 +168,7 @@ def _check_several(paths: Sequence[str], labels: Sequence[str]) -> None:
                 first=paths[0],
                 other=said("a study") if kinds[0] else said("a state"),
             ),
-            field="RESULT",
+            field="results",
             value=other,
         )
 

@@ -474,13 +474,12 @@ class ReportRequest(CaseRequest):
         found = calculation_report(
             self.case, head, self.changes, names=self.names, progress=progress
         )
-        return Finding(
-            found, partial(report_page, found), found.to_json, is_result=found.converged,
-            text="" if self.output else None,
-        )  # fmt: skip
+        page = None if self.output else partial(report_page, found)
+        return Finding(found, page, found.to_json, is_result=found.converged)
 
     def write(self, found: Any, path: str) -> None:
         """Write its page."""
         from rolamento.document.writing import write
+        from rolamento.pages.report import report_page
 
-        write(found.page(), path)
+        write(report_page(found.found), path)

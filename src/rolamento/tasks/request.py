@@ -52,6 +52,7 @@ read in the place of a file.
 """
 PICTURE: Final = marked("Draw the result: a .png, .svg or .pdf file.")
 _OPTIONS: Final = marked("Options")
+_OUTPUT: Final = marked("Output")
 _LONGEST: Final = 300
 _MOST: Final = 50
 _GREATEST: Final = 1e300
@@ -431,7 +432,7 @@ class Request(Record):
         found: dict[str, tuple[str, ...]] = dict.fromkeys(cls.headings, ())
         for name, one in cls.inputs().items():
             if not one.is_argument:
-                heading = one.group or _OPTIONS
+                heading = one.group or (_OUTPUT if one.kind == "target" else _OPTIONS)
                 found[heading] = (*found.get(heading, ()), name)
         return found
 
@@ -539,9 +540,13 @@ class Request(Record):
         """Return what people read of a result."""
         return found.page()  # type: ignore[no-any-return]
 
-    def text(self, found: Any) -> str | None:
-        """Return what they read in the place of a page, as it is; None where there is a page."""
-        return None
+    def has_page(self, found: Any) -> bool:
+        """Return whether a result has a page."""
+        return True
+
+    def text(self, found: Any) -> str:
+        """Return what they read behind the page, or in its place, as it is."""
+        return ""
 
     def report(self, found: Any) -> Callable[[], Document] | None:
         """Return what makes the page of a report, where that is more than `page`."""
