@@ -103,7 +103,7 @@ def test_none_with_a_result(run: Run) -> None:
         (("none.toml",), "cannot be opened"),
         (("case.toml",), "bearing: is an unknown key"),
         (("study.toml", "-o", "out.txt"), "must end in"),
-        (("study.toml", "-o", "study.toml"), "is the study file itself"),
+        (("study.toml", "-o", "study.toml"), "is one of the input files"),
         (("study.toml", "-o", "./case.toml"), "is the case file of the study; choose another name"),
         (("study.toml", "-o", "none/out.nc"), "no such directory"),
         (("study.toml", "--set", "duty.load.fy=1"), "needs a unit"),

@@ -2,32 +2,14 @@
 
 from __future__ import annotations
 
-import inspect
 import json
 import shlex
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 
-from typer.models import OptionInfo
-
 from rolamento.cli.case_options import SHORT_FORMS
 from rolamento.errors import InputError, respelled
-
-
-@contextmanager
-def in_options(command: Callable[..., None], **others: str) -> Iterator[None]:
-    """Say which option gave a parameter that is refused.
-
-    Parameters
-    ----------
-    command
-        Whose options are named.
-    others
-        Options that are called otherwise than the parameter of the task.
-    """
-    with in_names({**_option_names(command), **others}):
-        yield
 
 
 @contextmanager
@@ -48,18 +30,6 @@ def in_names(options: Mapping[str, str]) -> Iterator[None]:
         raise error.with_details(
             rule=spelled(error.rule), source=source, field=field, example=spelled(error.example)
         ) from None
-
-
-def _option_names(command: Callable[..., None]) -> dict[str, str]:
-    """Return the long name of each option of a command, by the name of its parameter."""
-    names: dict[str, str] = {}
-    for one in inspect.signature(command, eval_str=True).parameters.values():
-        for part in getattr(one.annotation, "__metadata__", ()):
-            if isinstance(part, OptionInfo):
-                # within `Annotated`, typer holds the first name in the place of the default
-                declared = (part.default, *(part.param_decls or ()))
-                names[one.name] = next(str(name) for name in declared if str(name)[:2] == "--")
-    return names
 
 
 def written(option: str, value: str) -> str:

@@ -12,10 +12,16 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 from rolamento.cli.case_options import CASE_OPTIONS, CaseOptions
-from rolamento.cli.common import NO_RESULT, SOLVED, ended_softly, plain_endings
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    LanguageOption,
+    ended_softly,
+    json_option,
+    plain_endings,
+)
 from rolamento.cli.option_names import in_names
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import LanguageOption, json_option
 from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
@@ -88,7 +94,7 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
             if has_page:
                 outputs.show(lambda: asked.page(found), *taken, report=asked.report(found))
             if STANDARD_STREAM not in taken:
-                print_text(asked.text(found))
+                print_text(asked.closing(found))
             complaint = asked.complaint(found)
             if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *taken)):
                 for line in complaint.splitlines():

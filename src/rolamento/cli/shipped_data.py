@@ -8,7 +8,7 @@ from rolamento.cli.streams import STANDARD_STREAM
 from rolamento.errors import InputError
 from rolamento.words import said
 
-__all__ = ["check_one_given", "data_and_json", "known_example"]
+__all__ = ["check_one_given", "data_and_json"]
 
 
 def data_and_json(
@@ -41,22 +41,3 @@ def check_one_given(
             else said("give a CSV file or --example")
         )
         raise InputError(rule, field="DATA.csv", example=f"{command} --example {names[0]}")
-
-
-def known_example(example: str, names: Sequence[str]) -> str:
-    """Return the name of an example, however its words are joined.
-
-    Raises
-    ------
-    InputError
-        If there is no such example.
-    """
-    name = example.casefold().replace("_", "-")
-    if name not in names:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(names)),
-            source="--example",
-            value=example,
-            example=names[0],
-        )
-    return name

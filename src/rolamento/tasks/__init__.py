@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from rolamento.tasks.case_request import CaseRequest, Finding
+    from rolamento.tasks.catalogue import BearingRequest, CatalogueSearch
     from rolamento.tasks.demonstration import example_case, write_example
     from rolamento.tasks.diagnosis import (
         DiagnosisResult,
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
         read_machine,
     )
     from rolamento.tasks.machines import MachineCurve, MachineRequest, ShaftRequest
+    from rolamento.tasks.new_case import ExamplesRequest, NewRequest
     from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
     from rolamento.tasks.oscillation import (
         OscillationCase,
@@ -81,6 +83,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.studying import PlotRequest, SweepRequest, ToleranceRequest
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.time_line import ServiceLife, service_life
+    from rolamento.tasks.verifying import VerificationRequest
     from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
@@ -94,6 +97,15 @@ if TYPE_CHECKING:
     )
 
 _NAMES_OF_MODULES: Final = {
+    "verifying": ("VerificationRequest",),
+    "new_case": (
+        "ExamplesRequest",
+        "NewRequest",
+    ),
+    "catalogue": (
+        "BearingRequest",
+        "CatalogueSearch",
+    ),
     "exchange": (
         "ExportRequest",
         "ImportRequest",
@@ -174,9 +186,11 @@ _MODULE_OF_NAME: Final = {
 }
 
 __all__ = [
+    "BearingRequest",
     "CaseLife",
     "CaseReport",
     "CaseRequest",
+    "CatalogueSearch",
     "ClearanceRequest",
     "DemonstrationStudy",
     "DemonstrationTest",
@@ -184,6 +198,7 @@ __all__ = [
     "Drawing",
     "DutyLife",
     "ElectricalRequest",
+    "ExamplesRequest",
     "ExportRequest",
     "Finding",
     "FleetRequest",
@@ -209,6 +224,7 @@ __all__ = [
     "MachineDiagnosis",
     "MachineRequest",
     "MachineVibration",
+    "NewRequest",
     "NoiseLevel",
     "NoiseResult",
     "OilRequest",
@@ -246,6 +262,7 @@ __all__ = [
     "TrendStudy",
     "TurnRequest",
     "UnknownResult",
+    "VerificationRequest",
     "VibrationDiagnosis",
     "VibrationSeverity",
     "Written",

@@ -99,7 +99,7 @@ class FindingRequest(Request):
         """Return whether there is a page."""
         return found.page is not None
 
-    def text(self, found: Any) -> str:
+    def closing(self, found: Any) -> str:
         """Return what people read behind the page, or in its place."""
         return str(found.text)
 

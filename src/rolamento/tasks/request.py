@@ -118,6 +118,8 @@ class Input:
         whether no page asks for it
     of_case
         dotted name of the field of a case that it gives
+    stands_alone
+        whether a command takes it without an option
     option, metavar
         of the command line: its long name, or both of a switch with its opposite, where that is
         not the name of the field; and what stands for its value
@@ -138,6 +140,7 @@ class Input:
     on_page: str = ""
     at_computer: bool = False
     of_case: str = ""
+    stands_alone: bool = False
     option: str = ""
     metavar: str = ""
 
@@ -153,8 +156,8 @@ class Input:
 
     @property
     def is_argument(self) -> bool:
-        """Whether it is no option of a command, but what that reads."""
-        return self.kind in ("file", "files")
+        """Whether it is no option of a command, but stands by itself."""
+        return self.kind in ("file", "files") or self.stands_alone
 
     @property
     def is_local(self) -> bool:
@@ -544,7 +547,7 @@ class Request(Record):
         """Return whether a result has a page."""
         return True
 
-    def text(self, found: Any) -> str:
+    def closing(self, found: Any) -> str:
         """Return what they read behind the page, or in its place, as it is."""
         return ""
 
