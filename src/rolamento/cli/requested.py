@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import inspect
+import json as json_format
 import os
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
@@ -11,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.case_options import CASE_OPTIONS, CaseOptions
+from rolamento.cli.case_options import CASE_OPTIONS, SHORT_FORMS, CaseOptions
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -20,10 +22,8 @@ from rolamento.cli.common import (
     json_option,
     plain_endings,
 )
-from rolamento.cli.option_names import in_names
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
-from rolamento.cli.shipped_data import check_one_given, data_and_json
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 from rolamento.io.writing import write_text
@@ -203,7 +203,7 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
         is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options
         named = {name: one for name, one in named.items() if not is_file or name != error.source}
-        with in_names(named):
+        with _in_names(named):
             raise
 
 
@@ -256,20 +256,26 @@ def _shipped(
         For neither or both of a file and an example.
     """
     field = next(name for name, one in request.inputs().items() if one.is_argument)
-    example, path = typed["example"], typed.pop("write")
+    data, example, path = typed[field], typed["example"], typed.pop("write")
+    known = list((request.inputs()["example"].choices or dict)())
     if example is not None:
-        example = request.inputs()["example"].value(example)
-    typed[field], json = data_and_json(typed[field], example, json)
+        typed["example"] = example = request.inputs()["example"].value(example)
+        if json == STANDARD_STREAM and data is not None:  # beside an example, the file of the JSON
+            data, json = None, data
+    typed[field] = data
     if path is not None:
-        if example is None or typed[field] is not None:
+        if example is None or data is not None:
             raise InputError(said("goes with --example alone"), source="--write", value=path)
         write_text(request.shipped_text(example), path, new=True)
         print_text(said("Wrote {path}", path=path) + "\n")
         raise typer.Exit(SOLVED)
-    known = request.inputs()["example"].choices
-    if request.needs_file or (typed[field] is not None and example is not None):
-        check_one_given(typed[field], example, command, list(known() if known else ()))
-    return json
+    if data is not None and example is not None:
+        rule = said("give a CSV file or --example, not both")
+    elif request.needs_file and data is None and example is None:
+        rule = said("give a CSV file or --example")
+    else:
+        return json
+    raise InputError(rule, field="DATA.csv", example=f"{command} --example {known[0]}")
 
 
 def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions) -> Request:
@@ -310,3 +316,35 @@ def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> None:
             save_figure(made, path)
         else:
             put(made, path)
+
+
+# --- errors in the words of a command ------------------------------------------------------------
+
+
+@contextmanager
+def _in_names(options: Mapping[str, str]) -> Iterator[None]:
+    """Say which option gave a field that is refused; options: by the names of the fields."""
+    try:
+        yield
+    except InputError as error:
+        if error.source.startswith("--"):
+            raise
+        names = {"changes": "--set", **options}
+        if not error.source and error.field in names:
+            error = error.with_details(source=error.field, field="")
+        raise error.spelled(names, _written, " ") from None
+
+
+def _written(option: str, value: str) -> str:
+    """Write an option, or what stands for an argument, with a value, as for a shell."""
+    if not option.startswith("--"):
+        return shlex.quote(value.strip('[]"'))
+    if value in ("True", "…"):
+        return option
+    if value.startswith("{"):  # what goes over a case
+        return " ".join(
+            _written(SHORT_FORMS[name], given) if name in SHORT_FORMS
+            else _written("--set", f"{name}={given}")
+            for name, given in json_format.loads(value).items()
+        )  # fmt: skip
+    return f"{option} {shlex.quote(value.strip('[]').strip(chr(34)))}"

@@ -17,6 +17,7 @@ from rolamento.records import frozen
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.request import Input, Product, Request
 from rolamento.words import marked, said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from rolamento.document import Document
@@ -33,7 +34,6 @@ __all__ = [
     "in_json",
     "needs_over",
     "over_a_field",
-    "why_not",
     "why_not_all",
 ]
 
@@ -270,21 +270,8 @@ def over_a_field(
     )  # fmt: skip
 
 
-def why_not(solved: Any, *, advised: bool = False) -> str:
-    """Return why a case has no result; "" if it has one. advised: and what to do."""
-    from rolamento.words.reasons import reason
-
-    if solved.converged[0]:
-        return ""
-    advice = solved.advice[0] if advised else None
-    parts = (reason(str(solved.status.code[0])), "" if advice is None else advice.text)
-    return ": ".join(part for part in parts if part)
-
-
 def why_not_all(status: Any, among: Any = ...) -> str:
     """Return of how many points there is no result, and why of the first; among: which count."""
-    from rolamento.words.reasons import reason
-
     codes = [str(code) for code in status[among] if code != "converged"]
     why = reason(codes[0])
     return said("{count} / {total}: {reason}", count=len(codes), total=len(status), reason=why)

@@ -208,7 +208,7 @@ class ExportRequest(MachineRequest):
             if name not in known and getattr(self, name) != _ALWAYS.get(name, False):
                 ending = self.ending or ".rexs"
                 rule = said("is not for files that end in {ending}", ending=ending)
-                raise InputError(rule, field=name, value=getattr(self, name))
+                raise InputError(rule, source=name)
         if self.ending == ".toml" and self.ross is None:
             rule = said("is missing: elements for ROSS need its version")
             raise InputError(rule, field="ross", example=arguments(ross=3))

@@ -19,12 +19,12 @@ from rolamento.tasks.case_request import (
     in_json,
     needs_over,
     over_a_field,
-    why_not,
     why_not_all,
 )
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.tasks.request import Input
 from rolamento.words import marked, said
+from rolamento.words.reasons import why_not
 
 if TYPE_CHECKING:
     from rolamento.case import Case

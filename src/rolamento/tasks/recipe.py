@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 from rolamento.errors import InputError, arguments, phrase
 from rolamento.io.json import dumps
-from rolamento.tasks.case_request import CaseRequest, Finding, why_not
+from rolamento.tasks.case_request import CaseRequest, Finding
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.tasks.quantities import fields_of, number_of
 from rolamento.tasks.request import Input
 from rolamento.words import marked, said
+from rolamento.words.reasons import why_not
 
 if TYPE_CHECKING:
     from rolamento.tasks.quantities import Kind

@@ -363,18 +363,16 @@ def _labelled(requests: Sequence[type[UseCase]], path: str = "", label: str = ""
         with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
             yield
     except InputError as error:
-        from rolamento.tasks.parameters import renamed
-
         field = error.source if error.source in labels else error.field
-        told = renamed(error, labels, "{}: {}".format)
+        spelled = error.spelled(labels, "{}: {}".format)
         source = "" if error.source in labels else label if error.source == path else error.source
         # an example that is written as in Python is of no use on a page
-        as_typed = field not in known or told.example == error.example
+        as_typed = field not in known or spelled.example == error.example
         raise type(error)(
-            _named(told.rule, path, label),
+            _named(spelled.rule, path, label),
             field=field,
             value=error.value,
-            example=told.example if as_typed else known[field].example,
+            example=spelled.example if as_typed else known[field].example,
             source=source,
             line=error.line,
         ) from None
