@@ -46,9 +46,7 @@ class CatalogueSearch(FindingRequest):
         A catalogue of your own, CSV or TOML, for designations. Repeatable.
     """
 
-    text: Annotated[
-        str, Input("Text", essential=True, example="6205", stands_alone=True, metavar="TEXT")
-    ]
+    text: Annotated[str, Input(essential=True, example="6205", stands_alone=True, metavar="TEXT")]
     most: Annotated[
         int, Input("", "count", example="40", default="40", between=(1, 1000), metavar="N")
     ] = 40
@@ -91,7 +89,7 @@ class BearingRequest(FindingRequest):
     designation: Annotated[
         str,
         Input(
-            "Designation", essential=True, example="6205/C3", stands_alone=True,
+            essential=True, example="6205/C3", stands_alone=True,
             metavar="DESIGNATION",
         ),
     ]  # fmt: skip

@@ -62,7 +62,7 @@ class ImportRequest(FindingRequest):
         A catalogue of your own, CSV or TOML, for designations. Repeatable.
     """
 
-    model: Annotated[Any, Input("Model", "file", essential=True, metavar="MODEL")]
+    model: Annotated[Any, Input("", "file", essential=True, metavar="MODEL")]
     output: Annotated[Any, Input("", "target", metavar="FILE")] = None
     load_case: Annotated[int | None, Input("", "count", example="1", metavar="NUMBER")] = None
     force: Annotated[bool, FORCE] = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any, ClassVar, Self
@@ -282,7 +283,7 @@ class LifeRequest(OverRequest):
         from rolamento.tasks.life import names_of
 
         cases = [self._clean(self.loaded(source)) for source in self._sources]
-        names = names_of(cases, self._sources)
+        names = names_of(cases, _called(self._sources))
         if self.spectrum is not None:
             return self._under_steps(cases, names, tables)
         return _of_shaft(cases, names, tables) if len(cases) > 1 else _of_case(cases[0], tables)
@@ -326,6 +327,14 @@ class LifeRequest(OverRequest):
 
         found = life_curves(self.cases(), self.range(), **tables)
         return over_a_field(found, life_over_page, curves_json, life_figure)
+
+
+def _called(sources: Sequence[Any]) -> list[Any]:
+    """Return files and designations; of a case the place that it has."""
+    return [
+        one if isinstance(one, str | os.PathLike) else place
+        for place, one in enumerate(sources, start=1)
+    ]
 
 
 def _of_case(case: Case, tables: dict[str, Any]) -> Finding:

@@ -48,7 +48,7 @@ class MachineRequest(FindingRequest):
         A catalogue of your own, CSV or TOML, for designations. Repeatable.
     """
 
-    machine: Annotated[Any, Input("Machine", "file", essential=True, metavar="MACHINE")]
+    machine: Annotated[Any, Input("", "file", essential=True, metavar="MACHINE")]
     settings: Annotated[Any, SETTINGS] = ()
     catalogues: Annotated[Any, CATALOGUES] = ()
 

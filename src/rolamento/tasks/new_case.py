@@ -125,7 +125,7 @@ class NewRequest(FindingRequest):
 
     designation: Annotated[
         str | None,
-        Input("Designation", example="6310/C3", stands_alone=True, metavar="DESIGNATION"),
+        Input(example="6310/C3", stands_alone=True, metavar="DESIGNATION"),
     ] = None
     output: Annotated[Any, Input("", "target", metavar="FILE")] = None
     machine: Annotated[bool, Input("", "switch")] = False
@@ -193,9 +193,9 @@ class ExamplesRequest(FindingRequest):
         Overwrite files that are there.
     """
 
-    name: Annotated[
-        str | None, Input("Name", example="6310_motor", stands_alone=True, metavar="NAME")
-    ] = None
+    name: Annotated[str | None, Input(example="6310_motor", stands_alone=True, metavar="NAME")] = (
+        None
+    )
     output: Annotated[Any, Input("", "target", default=".", metavar="FOLDER")] = "."
     force: Annotated[bool, FORCE] = False
 

@@ -253,6 +253,8 @@ class Input:
             for part in (one.split(self.separator) if is_joined(one) else (one,))
         ]
         given = [part for part in parts if part != ""]
+        if any(one is None or isinstance(one, bool | Mapping | list | tuple) for one in given):
+            raise InputError(said("must be a number or text"))
         if self.kind == "numbers" and len(given) > self.most:
             raise InputError(said("may be given at most {most} times", most=self.most))
         if self.kind == "numbers":
@@ -344,8 +346,8 @@ class Input:
             either = {"anyOf": [{"type": "string"}, {"type": "number"}]}
             return {"type": "object", "propertyNames": text, "additionalProperties": either}
         if self.is_many:
-            items = {"anyOf": [{"type": "number"}, text]} if self.kind == "numbers" else text
-            return {"type": "array", "items": items, "maxItems": self.most}
+            either = text if self.kind == "choices" else {"anyOf": [{"type": "number"}, text]}
+            return {"type": "array", "items": either, "maxItems": self.most}
         kind = {"switch": "boolean", "count": "integer"}.get(self.kind, "number")
         number: dict[str, Any] = {"type": kind}
         if self.between is not None:

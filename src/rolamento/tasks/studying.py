@@ -54,7 +54,7 @@ class SweepRequest(FindingRequest):
         Whether the page has all cases, for its tables.
     """
 
-    study: Annotated[Any, Input("Study", "file", metavar="STUDY")] = None
+    study: Annotated[Any, Input("", "file", metavar="STUDY")] = None
     output: Annotated[Any, Input("", "target", metavar="FILE")] = None
     variants: Annotated[tuple[str, ...], VARIANTS] = ()
     threads: Annotated[int | None, Input("", "count", example="4", between=(1, 1024))] = None
@@ -133,7 +133,7 @@ class ToleranceRequest(FindingRequest):
         Also Sobol's indices, from N (inputs + 2) runs of a study file; N such as 1024.
     """
 
-    study: Annotated[Any, Input("Study", "file", essential=True, metavar="RESULT")]
+    study: Annotated[Any, Input("", "file", essential=True, metavar="RESULT")]
     percentiles: Annotated[
         tuple[float, ...],
         Input("", "numbers", example="5,50,95", separator=",", metavar="LIST"),
@@ -193,7 +193,7 @@ class PlotRequest(FindingRequest):
         File to write: .png, .svg or .pdf; by default RESULT's name with .png, in this folder.
     """
 
-    results: Annotated[Any, Input("Results", "files", essential=True, metavar="RESULT...")]
+    results: Annotated[Any, Input("", "files", essential=True, metavar="RESULT...")]
     kind: Annotated[str | None, Input("", "choice", choices=_kinds)] = None
     variable: Annotated[str | None, Input(example="stiffness_zz", metavar="NAME")] = None
     over: Annotated[str | None, Input(example="inner_speed", metavar="NAME")] = None

@@ -276,14 +276,14 @@ def report_file(
         If a case is not valid, or there is no such kind of file.
     """
     from rolamento.case import Case
-    from rolamento.pages.report import report_page
-    from rolamento.tasks.report import calculation_report
+    from rolamento.tasks import ReportRequest
 
     if form not in REPORTS:
         rule = said("must be one of {known}", known=", ".join(REPORTS))
         raise InputError(rule, field="format", value=form, example="pdf")
-    found = calculation_report([Case.from_mapping(one) for one in cases], head, names=names)
-    return _answer((report_page(found),), found.to_mapping(), "", form)
+    asked = ReportRequest(case=[Case.from_mapping(one) for one in cases], **head, names=names)
+    found = asked.run()
+    return _answer((asked.page(found),), found.found.to_mapping(), "", form)
 
 
 def example_file(kind: str, name: str) -> dict[str, Any]:
