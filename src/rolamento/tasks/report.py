@@ -424,7 +424,7 @@ def calculation_report(
     if not 1 <= len(bearings) <= MOST_CASES:
         raise InputError(
             said("must be 1 to {most} in one report", most=MOST_CASES),
-            field="CASE",
+            field="case",
             value=len(bearings),
         )
     read = [_read(one, changes) for one in bearings]
