@@ -381,11 +381,6 @@ class Bearing(RollingBearing):
         """The contact angle of the grooves' deepest point, from which shoulders count; rad."""
         return self.row_angle if self.bearing_type.washers else 0.0
 
-    @property
-    def element_rows(self) -> tuple[RowPlace, ...]:
-        """Those of the `places` that have balls of their own: one of a four-point bearing."""
-        return self.places[:: self.bearing_type.contacts_per_ring]
-
     @classmethod
     def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
         """A thrust bearing is one of 90°, and the sphere of a self-aligning one follows."""

@@ -283,8 +283,8 @@ class RollingBearing(Record):
 
     @property
     def element_rows(self) -> tuple[RowPlace, ...]:
-        """Those of the `places` that have elements of their own."""
-        return self.places
+        """Those of the `places` that have elements of their own: one of a four-point bearing."""
+        return self.places[:: self.bearing_type.contacts_per_ring]
 
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:

@@ -118,7 +118,8 @@ class _Setter:
             return self._section(one, width)
         left = self._stacked(one.left, width)
         room = width - max(map(len, left), default=0) - one.gap
-        if _least_width(one.right) <= room:
+        sketches = (b for own in one.right for b in own.blocks if isinstance(b, Figure))
+        if max((sketch.width for sketch in sketches), default=0) <= room:
             right = self._stacked(one.right, room)
             if max(map(len, right), default=0) <= room:
                 return _beside(left, right, one.gap)
@@ -223,7 +224,10 @@ class _Setter:
             block, lambda table: _width(self._set_columns(table), table) <= width
         ):
             table = self._set_columns(part)
-            part = _closer(table, part, width)
+            if _width(table, part) > width:  # closer to each other, then to the margin
+                part = replace(part, gap=1)
+            if _width(table, part) > width:
+                part = replace(part, indent=0)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
             lines += [Text()] if lines else []
@@ -390,17 +394,3 @@ def _style_of(cell: Text) -> str:
 def _width(columns: Sequence[Lines], block: Table) -> int:
     widths = [max(map(len, column), default=0) for column in columns]
     return block.indent + sum(widths) + block.gap * max(len(widths) - 1, 0)
-
-
-def _closer(columns: Sequence[Lines], block: Table, width: int) -> Table:
-    """Set the columns closer to each other, and to the margin, where there is no room."""
-    if _width(columns, block) > width:
-        block = replace(block, gap=1)
-    return replace(block, indent=0) if _width(columns, block) > width else block
-
-
-def _least_width(sections: Sequence[Section]) -> int:
-    """Return what room sketches need to stand beside something."""
-    return max(
-        (b.width for one in sections for b in one.blocks if isinstance(b, Figure)), default=0
-    )
