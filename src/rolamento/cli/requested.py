@@ -25,7 +25,7 @@ from rolamento.cli.common import (
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import InputError
+from rolamento.errors import InputError, UnknownKeyError
 from rolamento.io.writing import write_text
 from rolamento.words import said
 
@@ -200,6 +200,8 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
         yield
     except InputError as error:
         of_column = error.field in request.columns and error.source not in ("", *options)
+        if error.line is not None or isinstance(error, UnknownKeyError):
+            raise  # of a file, whose fields may be called as those of the request
         is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options
         named = {name: one for name, one in named.items() if not is_file or name != error.source}
