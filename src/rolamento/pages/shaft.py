@@ -23,7 +23,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.life.theories import THEORIES
-from rolamento.pages.life import formulas_only, none_valid, percent, remarks
+from rolamento.pages.life import LONGEST_LIFE, formulas_only, none_valid, percent, remarks
 from rolamento.units import HOUR
 from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
@@ -127,6 +127,12 @@ def together_sentences(
             "With {reliability:.7 %} reliability the {count} bearings together reach less than "
             "{hours:.3r h} (upper bound of the {theory}).",
             **values,
+        )
+    elif leading.hours > LONGEST_LIFE:
+        text = said(
+            "With {reliability:.7 %} reliability the {count} bearings together reach more than "
+            "{hours:.3r h} ({theory}).",
+            **{**values, "hours": LONGEST_LIFE * HOUR},
         )
     else:
         text = said(
