@@ -14,6 +14,7 @@ from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Field
 from rolamento.case.hints import meant
 from rolamento.errors import InputError, UnknownKeyError, guess, nearest
+from rolamento.numerics.masked import may_be_masked
 from rolamento.units import to_si
 from rolamento.words import said
 
@@ -175,7 +176,7 @@ def _is_frozen(array: NDArray[Any]) -> bool:
 
 
 def _copied(field: Field, value: Any) -> Floats:
-    if isinstance(value, np.ma.MaskedArray):
+    if may_be_masked(value):
         plain, mask = value.data, np.ma.getmaskarray(value)
         if plain.dtype.kind in "OUT":
             plain = plain.astype(object)
