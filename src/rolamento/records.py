@@ -51,7 +51,7 @@ def frozen(cls: type[T] | None = None, /, **options: bool) -> Any:
 
 
 def _frozen(
-    cls: type[Any], eq: bool = True, kw_only: bool = False, slots: bool = True, init: bool = True
+    cls: type[Any], /, eq: bool = True, kw_only: bool = False, slots: bool = True, init: bool = True
 ) -> Any:
     own = frozenset(vars(cls))
     made: Any = dataclass(init=False, repr=False, eq=False, kw_only=kw_only, slots=slots)(cls)
