@@ -46,7 +46,6 @@ def frozen(cls: type[T] | None = None, /, **options: bool) -> Any:
         The class; options are those of `dataclasses.dataclass`. ``eq=False`` for what holds
         arrays, ``slots=False`` for what caches a property.
     """
-
     return partial(_frozen, **options) if cls is None else _frozen(cls, **options)
 
 
@@ -83,22 +82,25 @@ def _set_state(self: Any, state: list[Any]) -> None:
 
 def _comparison_of(cls: Any) -> tuple[Callable[..., Any], Callable[..., Any]]:
     """Return what compares two records of one class by their fields, and what hashes one."""
-    names = tuple(one.name for one in fields(cls))
-    values: Callable[[Any], tuple[Any, ...]] = (
-        attrgetter(*names)
-        if len(names) > 1
-        else lambda record: tuple(getattr(record, name) for name in names)
-    )
+    compared = _getter([one.name for one in fields(cls) if one.compare])
+    kept = _getter([
+        one.name for one in fields(cls) if (one.compare if one.hash is None else one.hash)
+    ])  # fmt: skip
 
     def equal(self: object, other: object) -> Any:
-        return (
-            values(self) == values(other) if other.__class__ is self.__class__ else NotImplemented
-        )
+        same = other.__class__ is self.__class__
+        return compared(self) == compared(other) if same else NotImplemented
 
     def hashed(self: object) -> int:
-        return hash(values(self))
+        return hash(kept(self))
 
     return equal, hashed
+
+
+def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
+    if len(names) > 1:  # else `attrgetter` gives no tuple
+        return attrgetter(*names)
+    return lambda record: tuple(getattr(record, name) for name in names)
 
 
 class _Made:

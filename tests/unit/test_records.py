@@ -128,7 +128,8 @@ def _third(frozen: Any) -> Any:
 
         load: float = 1.0
         name: str
-        angle: float | None = None
+        angle: float | None = field(default=None, compare=False)
+        sources: dict[str, str] = field(default_factory=dict, hash=False)
 
     return frozen(Third, kw_only=True, slots=False)
 
@@ -165,6 +166,10 @@ def test_they_are_made_as_dataclasses_are(made: Any, places: Any, names: Any) ->
     assert one != as_plain
     assert one == copy.copy(one) == copy.deepcopy(one) == replace(one)
     assert one != replace(one, name="another")
+    for changes in ({"load": 9.0}, {"angle": 9.0}, {"sources": {"load": "print"}}):
+        if changes.keys() <= values.keys():
+            changed, as_changed = replace(one, **changes), replace(as_plain, **changes)
+            assert (one == changed) == (as_plain == as_changed)
     assert hasattr(one, "__dict__") == hasattr(as_plain, "__dict__")
     assert own.__match_args__ == plain.__match_args__
     for record in (one, as_plain):
@@ -177,6 +182,7 @@ def test_they_are_made_as_dataclasses_are(made: Any, places: Any, names: Any) ->
             hash(one)
     else:
         assert (hash(one) == 7) == (hash(as_plain) == 7)
+        assert hash(one) == hash(other)
 
 
 @pytest.mark.parametrize("made", [_second, _third])

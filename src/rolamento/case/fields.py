@@ -76,11 +76,6 @@ class Field:
     ----------
     name
         Dotted, such as ``"duty.load.fx"``.
-    kind
-        ``"number"`` of quantities and ratios, ``"count"``, ``"switch"``, ``"text"`` of choices
-        and names, ``"list"``.
-    bounds
-        The `Quantity` or `Ratio` of a number.
     replaces
         Names of the fields that a value of this one takes the place of.
     rivals
@@ -88,12 +83,20 @@ class Field:
     """
 
     name: str
-    kind: Kind
-    bounds: Quantity | Ratio | None
     replaces: tuple[str, ...]
     rivals: tuple[str, ...]
     _record: type[BaseModel]
     _info: FieldInfo
+
+    @cached_property
+    def kind(self) -> Kind:
+        """``"number"``, ``"count"``, ``"switch"``, ``"list"``; ``"text"`` of choices and names."""
+        return "number" if self.bounds is not None else _kind_of(self._info)
+
+    @cached_property
+    def bounds(self) -> Quantity | Ratio | None:
+        """The `Quantity` or `Ratio` of a number."""
+        return _bounds_in(self._info)
 
     @property
     def leaf(self) -> str:
@@ -235,8 +238,6 @@ def fields_of(record: type[Record]) -> Mapping[str, Field]:
     return {
         name: Field(
             name=name,
-            kind="number" if (bounds := _bounds_in(info)) is not None else _kind_of(info),
-            bounds=bounds,
             replaces=others,
             rivals=tuple(other for other in others if name in replaces.get(other, ())),
             _record=holder,
@@ -251,7 +252,7 @@ _Found = tuple[str, tuple[str, ...], type[BaseModel], FieldInfo]
 
 def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
     for leaf, info in record.model_fields.items():
-        is_list = _kind_of(info) == "list"
+        is_list = _is_list(info)
         inner = () if is_list else records_of(info.annotation)
         if not inner or getattr(inner[0], "has_short_form", False):
             others = replaced(record, leaf)
@@ -267,6 +268,8 @@ def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
 
 def _of_both(first: FieldInfo, second: FieldInfo) -> FieldInfo:
     """The field of two records: the first one's, with the words that either may be."""
+    if first.annotation == second.annotation:
+        return first
     words = dict.fromkeys((*_choices_in(first.annotation), *_choices_in(second.annotation)))
     if len(words) == len({*_choices_in(first.annotation)}):
         return first
@@ -277,10 +280,14 @@ def _of_both(first: FieldInfo, second: FieldInfo) -> FieldInfo:
 
 def _kind_of(info: FieldInfo) -> Kind:
     """The kind of a field that is no number."""
-    types = set(_types_in(info.annotation))
-    if tuple in types:
+    if _is_list(info):
         return "list"
+    types = set(_types_in(info.annotation))
     return "switch" if bool in types else "count" if int in types else "text"
+
+
+def _is_list(info: FieldInfo) -> bool:
+    return tuple in _types_in(info.annotation)
 
 
 def _types_in(annotation: object) -> Iterator[object]:
@@ -300,7 +307,7 @@ def _choices_in(annotation: object) -> Iterator[str]:
 
 def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
     """The annotation that bounds a number; None of a list of them."""
-    if _kind_of(info) == "list":
+    if _is_list(info):
         return None
     return next(_numbers_in((*info.metadata, info.annotation)), None)
 
@@ -423,7 +430,7 @@ def in_file_form(name: str, value: Any, record: type[Record]) -> object:
     info, table = _info(name, record), _table(name, record, value)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)
-    if info is not None and _kind_of(info) == "list" and isinstance(value, list | tuple):
+    if info is not None and _is_list(info) and isinstance(value, list | tuple):
         return [_mapping_of(entry, record_for(info, entry)) for entry in value]
     field = _field(name, record)
     if getattr(value, "ndim", None) == 0:  # of NumPy
@@ -442,7 +449,7 @@ def _mapping_of(value: object, record: type[Record] | None) -> object:
 def _table(name: str, record: type[BaseModel], given: object = None) -> type[Record] | None:
     """Return the record of a table of that name; given: what is to be read as it."""
     info = _info(name, record)
-    return None if info is None or _kind_of(info) == "list" else record_for(info, given)
+    return None if info is None or _is_list(info) else record_for(info, given)
 
 
 def _info(name: str, record: type[BaseModel]) -> FieldInfo | None:
