@@ -1,7 +1,5 @@
 """Use cases of a case: where it comes from, what goes over it, and what is found of it."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
@@ -63,7 +61,7 @@ class Finding:
     """
 
     found: Any
-    page: Callable[[], Document]
+    page: "Callable[[], Document]"
     to_json: Callable[[], str]
     picture: Callable[[], Any] | None = None
     complaint: str = ""
@@ -173,7 +171,7 @@ class RangeRequest(CaseRequest):
     points: Annotated[int, Input("", "count", default="40")] = 40
     log: Annotated[bool, Input("", "switch")] = False
 
-    def range(self) -> Range:
+    def range(self) -> "Range":
         """Return the field and its values.
 
         Raises
@@ -236,7 +234,7 @@ def needs_over(asked: RangeRequest, field: str, value: object = ABSENT) -> None:
 
 def over_a_field(
     curves: Sequence[Any],
-    page: Callable[[Sequence[Any]], Document],
+    page: "Callable[[Sequence[Any]], Document]",
     json: Callable[[Sequence[Any]], str],
     figure: Callable[[Sequence[Any]], Any],
 ) -> Finding:

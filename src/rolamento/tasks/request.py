@@ -6,8 +6,6 @@ form, the HTTP API the parameters of an address; `read` takes what was typed in 
 error names the field; each face writes that in its own spelling.
 """
 
-from __future__ import annotations
-
 import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -161,7 +159,7 @@ class Input:
         """Return the long name of its option, the first of a switch; name: of its field."""
         return self.option.partition("/")[0] or f"--{name.replace('_', '-')}"
 
-    def below(self, group: str) -> Input:
+    def below(self, group: str) -> "Input":
         """Return it below another heading."""
         return replace(self, group=group)
 
@@ -463,7 +461,7 @@ class Request(Record):
         """Do it; progress: called with how much is done, and of how much."""
         raise NotImplementedError
 
-    def page(self, found: Any) -> Document:
+    def page(self, found: Any) -> "Document":
         """Return what people read of a result."""
         return found.page()  # type: ignore[no-any-return]
 
