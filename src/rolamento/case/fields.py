@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
-from functools import cache, cached_property
-from typing import Any, Final, Literal, cast, get_args, get_origin
+from functools import cache, cached_property, lru_cache
+from typing import Any, Final, Literal, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
@@ -41,6 +41,7 @@ __all__ = [
     "Field",
     "Value",
     "changed",
+    "field_of",
     "fields_of",
     "in_file_form",
     "inline_value",
@@ -233,36 +234,52 @@ def fields_of(record: type[Record]) -> Mapping[str, Field]:
     A record that may also be given as text is a field itself, beside its own. What stands in a
     list of tables is not distinguished.
     """
-    found = tuple(_fields_in(record, ""))
-    replaces = {name: others for name, others, *_ in found}
-    return {
-        name: Field(
-            name=name,
-            replaces=others,
-            rivals=tuple(other for other in others if name in replaces.get(other, ())),
-            _record=holder,
-            _info=info,
-        )
-        for name, others, holder, info in found
-    }
+    found = {one.name: one for one in _fields_in(record, "")}
+    return {name: _field_found(one, found) for name, one in found.items()}
 
 
-_Found = tuple[str, tuple[str, ...], type[BaseModel], FieldInfo]
+@lru_cache(maxsize=1024)
+def field_of(record: type[Record], name: str) -> Field | None:
+    """Return one of the fields of a record by its dotted name; the others are not looked at."""
+    found = {one.name: one for one in _fields_in(record, "", name)}
+    if name not in found:
+        return None
+    others = found[name].others
+    found |= {one.name: one for other in others for one in _fields_in(record, "", other)}
+    return _field_found(found[name], found)
 
 
-def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
+class _Found(NamedTuple):
+    name: str
+    others: tuple[str, ...]
+    holder: type[BaseModel]
+    info: FieldInfo
+
+
+def _field_found(one: _Found, found: Mapping[str, _Found]) -> Field:
+    rivals = tuple(
+        other for other in one.others if other in found and one.name in found[other].others
+    )
+    return Field(one.name, one.others, rivals, one.holder, one.info)
+
+
+def _fields_in(record: type[BaseModel], table: str, name: str = "") -> Iterator[_Found]:
+    """The fields of a record; name: only that one, and what it stands in."""
     for leaf, info in record.model_fields.items():
-        is_list = _is_list(info)
-        inner = () if is_list else records_of(info.annotation)
+        dotted = f"{table}{leaf}"
+        if name and name != dotted and not name.startswith(f"{dotted}."):
+            continue
+        inner = () if _is_list(info) else records_of(info.annotation)
         if not inner or getattr(inner[0], "has_short_form", False):
-            others = replaced(record, leaf)
-            dotted = (other if "." in other else f"{table}{other}" for other in others)
-            yield f"{table}{leaf}", tuple(dotted), record, info
+            others = (
+                other if "." in other else f"{table}{other}" for other in replaced(record, leaf)
+            )
+            yield _Found(dotted, tuple(others), record, info)
         known: dict[str, _Found] = {}
         for one in inner:  # what they have in common is one field
-            for found in _fields_in(one, f"{table}{leaf}."):
-                *first, words = known.setdefault(found[0], found)
-                known[found[0]] = cast("_Found", (*first, _of_both(words, found[-1])))
+            for found in _fields_in(one, f"{dotted}.", name):
+                first = known.setdefault(found.name, found)
+                known[found.name] = first._replace(info=_of_both(first.info, found.info))
         yield from known.values()
 
 
@@ -412,7 +429,7 @@ def changed(
 
 def _rivals(name: str, value: object, record: type[Record]) -> Iterator[str]:
     """The names of the fields that a value, or those of a table, take the place of."""
-    field = fields_of(record).get(name)
+    field = field_of(record, name)
     if field is not None and value is not None:
         yield from field.replaces
     for leaf, inner in value.items() if isinstance(value, Mapping) else ():
@@ -467,9 +484,10 @@ def _info(name: str, record: type[BaseModel]) -> FieldInfo | None:
 
 def _field(name: str, record: type[Record]) -> Field:
     """Return the field of a name; it must be neither a whole table nor a list."""
+    field = field_of(record, name)
+    if field is not None and field.kind != "list":
+        return field
     known = fields_of(record)
-    if name in known and known[name].kind != "list":
-        return known[name]
     parts = name.split(".")
     for depth, part in enumerate(parts):
         table = "".join(f"{above}." for above in parts[:depth])
@@ -499,7 +517,7 @@ def _field(name: str, record: type[Record]) -> Field:
 
 def _given(name: str, text: str, record: type[Record]) -> object:
     """Return what a setting gives: a value, or the table or list that TOML has in one line."""
-    field = fields_of(record).get(name)
+    field = field_of(record, name)
     is_list = field is not None and field.kind == "list"
     if text.startswith("[" if is_list else "{") and (is_list or _table(name, record) is not None):
         return inline_value(name, text, _INLINE_EXAMPLE)
