@@ -19,9 +19,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from rolamento.case.record import Record, meanings
 from rolamento.errors import InputError, Phrase, arguments
-from rolamento.io.columns import folded_name
 from rolamento.io.json import dumps
-from rolamento.io.numerals import Numerals
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
 from rolamento.tasks.parameters import Progress, quietly
@@ -295,6 +293,8 @@ class Input:
         return text
 
     def _chosen(self, text: str) -> str:
+        from rolamento.io.columns import folded_name
+
         known = {} if self.choices is None else self.choices()
         text = (self.aliases or {}).get(folded_name(text), text)
         if text not in known:
@@ -518,6 +518,8 @@ def cost_of(text: str) -> float:
     InputError
         If it is no number, or may be two.
     """
+    from rolamento.io.numerals import Numerals
+
     refuse_thousands(text, units=("",))
     comma = "," in text and manner().mark == ","
     cost = Numerals(True, "comma" if comma else "point").number(text.strip())
