@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby, zip_longest
 from textwrap import wrap
-from typing import Final, TypeAlias
+from typing import ClassVar, Final, TypeAlias
 
 from rolamento.document.cells import (
     PEAK,
@@ -43,6 +43,7 @@ from rolamento.document.model import (
     Title,
     Tone,
 )
+from rolamento.records import frozen
 from rolamento.words import ABSENT, speaking
 
 __all__ = ["terminal"]
@@ -110,22 +111,11 @@ def _written(line: Line, colors: bool) -> str:
     )
 
 
+@frozen
 class _Setter:
     """Sets blocks as lines of characters, for one medium."""
 
-    def __init__(self, medium: Medium) -> None:
-        self._medium = medium
-        self._by_block: dict[type, Callable[..., Lines]] = {
-            Title: self._title,
-            Statement: self._statement,
-            KeyValues: self._key_values,
-            Table: self._table,
-            Bars: self._bars,
-            Figure: self._figure,
-            Notes: self._notes,
-            Equation: self._equation,
-            Links: self._links,
-        }
+    medium: Medium
 
     def part(self, one: Section | Beside, width: int) -> Lines:
         """Set a section, or sections beside each other where there is room."""
@@ -133,7 +123,8 @@ class _Setter:
             return self._section(one, width)
         left = self._stacked(one.left, width)
         room = width - _widest(left) - one.gap
-        if _least_width(one.right) <= room:
+        sketches = (b for own in one.right for b in own.blocks if isinstance(b, Figure))
+        if max((sketch.width for sketch in sketches), default=0) <= room:
             right = self._stacked(one.right, room)
             if _widest(right) <= room:
                 return _beside(left, right, one.gap)
@@ -148,23 +139,21 @@ class _Setter:
             heading = self._title(Title(section.heading), width)
         elif section.heading:
             heading = self._hanging(_EMPTY, section.heading, width, _HEADING)
-        return [*heading, *(line for block in section.blocks for line in self._block(block, width))]
-
-    def _block(self, block: Block, width: int) -> Lines:
-        return self._by_block[type(block)](block, width)
+        parts = (self._BLOCKS[type(block)](self, block, width) for block in section.blocks)
+        return [*heading, *(line for part in parts for line in part)]
 
     # --- texts ------------------------------------------------------------------------------
 
     def _text(self, content: str, style: str = "") -> Line:
         """Return text that the medium can show."""
-        return ((self._medium.fitted(content), style),)
+        return ((self.medium.fitted(content), style),)
 
     def _hanging(self, label: Line, content: str, width: int, style: str = "") -> Lines:
         """Break a text into lines that begin to the right of its label."""
         margin = _size(label)
         pieces = [
             piece
-            for line in self._medium.fitted(content).split("\n")
+            for line in self.medium.fitted(content).split("\n")
             for piece in wrap(line, max(width - margin, 8), break_on_hyphens=False) or [""]
         ]
         return [
@@ -173,7 +162,7 @@ class _Setter:
         ]
 
     def _rule(self, width: int) -> Line:
-        return self._text((_RULE if self._medium.shows(_RULE) else "-") * width, _DIM)
+        return self._text((_RULE if self.medium.shows(_RULE) else "-") * width, _DIM)
 
     def _title(self, block: Title, width: int) -> Lines:
         return [*self._hanging(_EMPTY, block.text, width, _BOLD), self._rule(width)]
@@ -224,9 +213,9 @@ class _Setter:
     def _figure(self, block: Figure, width: int) -> Lines:
         if block.sketch is None:
             return []
-        drawn = block.sketch(width, self._medium.draws)
+        drawn = block.sketch(width, self.medium.draws)
         return [
-            tuple((self._medium.fitted(text), _STYLES[tone]) for text, tone in line)
+            tuple((self.medium.fitted(text), _STYLES[tone]) for text, tone in line)
             for line in drawn
         ]
 
@@ -236,18 +225,20 @@ class _Setter:
         if block.only_in_files:
             return []
         lines: Lines = []
-        for heading, part in broken(block, lambda table: self._fits(table, width)):
+        for heading, part in broken(
+            block, lambda table: _width(self._set_columns(table), table) <= width
+        ):
             table = self._set_columns(part)
-            part = _closer(table, part, width)
+            if _width(table, part) > width:  # closer to each other, then to the margin
+                part = replace(part, gap=1)
+            if _width(table, part) > width:
+                part = replace(part, indent=0)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
             lines += [_EMPTY] if lines else []
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines
-
-    def _fits(self, block: Table, width: int) -> bool:
-        return _width(self._set_columns(block), block) <= width
 
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
@@ -325,7 +316,7 @@ class _Setter:
         return table
 
     def _bar(self, length: float, style: str = _CYAN) -> Line:
-        if not self._medium.draws:
+        if not self.medium.draws:
             return (("#" * round(length), style),)
         eighths = round(8 * length)
         return (("█" * (eighths // 8) + _EIGHTHS[eighths % 8].strip(), style),)
@@ -343,6 +334,18 @@ class _Setter:
         for legend in block.legends:
             lines += self._hanging(_blank(2), legend, width, _DIM)
         return lines
+
+    _BLOCKS: ClassVar[dict[type[Block], Callable[..., Lines]]] = {
+        Title: _title,
+        Statement: _statement,
+        KeyValues: _key_values,
+        Table: _table,
+        Bars: _bars,
+        Figure: _figure,
+        Notes: _notes,
+        Equation: _equation,
+        Links: _links,
+    }
 
 
 # --- lines beside lines ------------------------------------------------------------------------
@@ -410,17 +413,3 @@ def _style_of(cell: Line) -> str:
 def _width(columns: Sequence[Lines], block: Table) -> int:
     widths = [_widest(column) for column in columns]
     return block.indent + sum(widths) + block.gap * max(len(widths) - 1, 0)
-
-
-def _closer(columns: Sequence[Lines], block: Table, width: int) -> Table:
-    """Set the columns closer to each other, and to the margin, where there is no room."""
-    if _width(columns, block) > width:
-        block = replace(block, gap=1)
-    return replace(block, indent=0) if _width(columns, block) > width else block
-
-
-def _least_width(sections: Sequence[Section]) -> int:
-    """Return what room sketches need to stand beside something."""
-    return max(
-        (b.width for one in sections for b in one.blocks if isinstance(b, Figure)), default=0
-    )

@@ -24,7 +24,7 @@ from rolamento.io.writing import write_bytes, write_text
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
 from rolamento.tasks.parameters import quietly
-from rolamento.units import Dimension, refuse_thousands, to_si
+from rolamento.units import Dimension, readable, refuse_thousands, to_si
 from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
@@ -224,8 +224,12 @@ class Input:
     def _bounded(self, number: Any) -> Any:
         """Return a number, if it lies within the bounds."""
         if self.between is not None and not self.between[0] <= number <= self.between[1]:
+            low, high = (
+                end if self.dimension is None else readable(end, self.dimension)
+                for end in self.between
+            )
             rule = said("must be at least {at_least} and at most {at_most}",
-                        at_least=self.between[0], at_most=self.between[1])  # fmt: skip
+                        at_least=low, at_most=high)  # fmt: skip
             raise InputError(rule, value=number)
         return number
 
