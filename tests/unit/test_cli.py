@@ -786,6 +786,9 @@ def test_a_command_waits_only_for_what_it_needs() -> None:
     others = {"catalogue", "clearance", "friction", "life", "vibration", "cli.weibull"}
     others |= {"system.mounted", "rows.ball.arc", "rows.roller.row"}
     assert not loaded & {f"rolamento.{name}" for name in others}
+    by_designation = modules_of("solve", "6310/C3", "--fr", "5 kN", "--speed", "3000 rpm")
+    assert "rolamento.catalogue" in by_designation
+    assert not by_designation & {"rich", "numpy.ma", "numba", "scipy", "matplotlib"}
 
 
 # --- what the front pages show ----------------------------------------------

@@ -1,7 +1,5 @@
 """The internal geometry of a bearing: one row of balls, or a set of rows on one shaft."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Final, Literal, cast, get_args
@@ -75,7 +73,7 @@ def _sphere_if_any(told: dict[str, Any]) -> float:
     return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
 
 
-def _too_small_a_circle(bearing: Bearing) -> InputError:
+def _too_small_a_circle(bearing: "Bearing") -> InputError:
     return InputError(
         said(
             "must be greater than the ball diameter, {ball_diameter}",
@@ -87,7 +85,7 @@ def _too_small_a_circle(bearing: Bearing) -> InputError:
     )
 
 
-def _too_many_balls(bearing: Bearing) -> InputError:
+def _too_many_balls(bearing: "Bearing") -> InputError:
     """Neighbouring balls touch when D = d_m sin(π/Z)."""
     room = math.floor(math.pi / math.asin(bearing.ball_diameter / bearing.pitch_diameter))
     return InputError(
@@ -114,7 +112,7 @@ def _angle_within(bearing: Any) -> Any:
     return (angle < 0.5 * math.pi) & ((angle > 0.0) | (not bearing.bearing_type.aligns))
 
 
-def _angle_beyond(bearing: Bearing) -> InputError:
+def _angle_beyond(bearing: "Bearing") -> InputError:
     assert bearing.contact_angle is not None
     if bearing.bearing_type.washers:
         rule, example = said("of a thrust bearing must be greater than 45 deg"), "90 deg"
@@ -142,7 +140,7 @@ def _elastic_play(bearing: Any) -> Any:
     return clearance_fits(bearing.diametral_clearance, _reach(bearing), closed)
 
 
-def _play_beyond(bearing: Bearing) -> InputError:
+def _play_beyond(bearing: "Bearing") -> InputError:
     closed, distance = math.cos(bearing.shim_angle or 0.0), _reach(bearing)
     least, most = (_rounded_length(f * distance) for f in (-0.25, 2.0 * closed))
     assert bearing.diametral_clearance is not None
@@ -163,7 +161,7 @@ def _shoulder_rule(name: str) -> Rule:
         height = getattr(bearing, name)
         return True if height is None else height < 0.5 * bearing.ball_diameter
 
-    def too_high(bearing: Bearing) -> InputError:
+    def too_high(bearing: "Bearing") -> InputError:
         return InputError(
             said(
                 "must be less than the ball radius, {ball_diameter}",

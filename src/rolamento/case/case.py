@@ -1,7 +1,5 @@
 """A case: one bearing and its duty, read from a file or built in Python."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -162,7 +160,7 @@ class Case(Record):
         """Return what there is to know of each field of a case, by its dotted name."""
         return fields_of(cls)
 
-    def with_(self, values: Mapping[str, Any] | None = None, /, **nested: Any) -> Case:
+    def with_(self, values: Mapping[str, Any] | None = None, /, **nested: Any) -> "Case":
         """Return a case with some values changed, such as ``case.with_(fz="10 kN")``.
 
         A value replaces its rival: a clearance takes the place of the contact angle, a
@@ -631,7 +629,7 @@ def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping
     return filled
 
 
-def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
+def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
     """Return the bearing of the designation with the ratings of the life table, where it has none.
 
     Nothing of what is wrong: others refuse it.
@@ -651,7 +649,7 @@ def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
         return ()
 
 
-def _known(rated: Sequence[CatalogueBearing]) -> AbstractContextManager[object]:
+def _known(rated: "Sequence[CatalogueBearing]") -> AbstractContextManager[object]:
     """Look up designations among some bearings too; the catalogue is not read for none."""
     if not rated:
         return nullcontext()

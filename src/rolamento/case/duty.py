@@ -1,7 +1,5 @@
 """What a bearing is asked to bear: speeds, loads and displacements of the inner ring."""
 
-from __future__ import annotations
-
 from typing import Annotated, Final, Self
 
 from pydantic import Field, model_validator

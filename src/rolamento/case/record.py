@@ -2,6 +2,9 @@
 
 Pydantic checks; what it finds is reported in Rolamento's own words. None of its
 exceptions reaches a user.
+
+Modules of records do without ``from __future__ import annotations``: as texts, the types of their
+fields would be compiled anew in every process, a third of what it takes to make the classes.
 """
 
 from __future__ import annotations
