@@ -563,7 +563,7 @@ def test_every_option_stands_below_one_heading(words: tuple[str, ...]) -> None:
 
 def test_a_long_list_of_options_has_headings() -> None:
     long = {words for words, command in ALL_COMMANDS.items() if len(command.params) > 15}
-    assert long == {*GROUPED}
+    assert long <= {*GROUPED}
 
 
 def test_what_has_no_heading_is_shown_below_the_last() -> None:

@@ -432,7 +432,7 @@ def test_the_page_may_go_to_standard_output(command: Command) -> None:
     [
         (
             ("--source", "harris"),
-            'source = "harris": is an unknown source; did you mean harris_1991',
+            '--source: "harris": is an unknown source; did you mean harris_1991',
         ),
         (("--json", "--markdown", "-"), "standard output: only one of --json and --markdown can"),
         (("--json", "x", "--markdown", "x"), "x: only one of --json and --markdown can"),

@@ -90,24 +90,24 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 json = STANDARD_STREAM  # what another target holds is its JSON
             if json is not None:
                 put(asked.json_text(found) + "\n", json)
-            taken, has_page = (json, target, *files.values()), asked.has_page(found)
+            elsewhere, has_page = (json, target, *files.values()), asked.has_page(found)
             if has_page:
-                outputs.show(lambda: asked.page(found), *taken, report=asked.report(found))
-            if STANDARD_STREAM not in taken:
+                outputs.show(lambda: asked.page(found), *elsewhere, report=asked.report(found))
+            if STANDARD_STREAM not in elsewhere:
                 print_text(asked.closing(found))
             complaint = asked.complaint(found)
-            if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *taken)):
+            if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *elsewhere)):
                 for line in complaint.splitlines():
                     complain(line)
         raise typer.Exit(SOLVED if asked.has_result(found) else NO_RESULT)
 
-    inputs = request.inputs()
-    command.__signature__ = _signature(request)  # type: ignore[attr-defined]
+    inputs, taken = request.inputs(), _signature(request)
+    command.__signature__ = taken  # type: ignore[attr-defined]
     command.__name__, command.__doc__ = name, request.summary()
     groups: dict[str, tuple[str, ...]] = request.options_by_heading()
-    written = (*request.products, *(("write",) if request.ships else ()))
-    targets = groups.pop("Output", ())
-    groups["Output"] = (*targets, *written, "json", *OUTPUT_OPTIONS, "lang", "help")
+    written = (*request.products, "write", "json", *OUTPUT_OPTIONS, "lang")
+    there = (one for one in written if one in taken.parameters)
+    groups["Output"] = (*groups.pop("Output", ()), *there, "help")
     if request.takes_case:
         first = next(iter(groups))
         groups[first] += tuple(name for name in CASE_OPTIONS if name not in inputs)
