@@ -249,6 +249,23 @@ class InputError(RolamentoError, ValueError):
             line=self.line if line is None else line,
         )
 
+    def spelled(
+        self,
+        names: Mapping[str, str],
+        written: Callable[[str, str], str] = "{}={}".format,
+        between: str = ", ",
+    ) -> Self:
+        """Return the same error with the arguments that it names by other names, as `respelled`.
+
+        Its field or its source may be one.
+        """
+        rule, example = (
+            respelled(text, names, written, between) for text in (self.rule, self.example)
+        )
+        field = self.field if self.source in names else names.get(self.field, self.field)
+        source = names.get(self.source, self.source)
+        return self.with_details(rule=rule, field=field, source=source, example=example)
+
 
 class FileError(InputError):
     """A file cannot be read, decoded, parsed or written."""

@@ -67,7 +67,7 @@ from rolamento.solved.notes import nothing_given
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, manner, marked, said, worded
 from rolamento.words.headlines import qualifies
-from rolamento.words.reasons import reason
+from rolamento.words.reasons import why_not
 from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
@@ -277,8 +277,8 @@ def _failure(case: CaseReport, *, advised: bool) -> str:
     """Say why a case has no result, and what to do."""
     solved = case.analysis.solved
     advice = solved.advice[0] if advised else None
-    said_reason = said("No solution: {reason}.", reason=reason(str(solved.status.code[0])))
-    return said_reason if advice is None else f"{said_reason} {advice.text}"
+    text = said("No solution: {reason}.", reason=why_not(solved))
+    return text if advice is None else f"{text} {advice.text}"
 
 
 def _life_warnings(case: CaseReport) -> Iterator[_Warning]:

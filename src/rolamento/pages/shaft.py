@@ -28,7 +28,7 @@ from rolamento.units import HOUR
 from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
 from rolamento.words.naming import shortened
-from rolamento.words.reasons import reason
+from rolamento.words.reasons import why_not
 from rolamento.words.theories import theory_heads, theory_life
 
 if TYPE_CHECKING:
@@ -102,9 +102,8 @@ def _failures(found: ShaftLife) -> list[str]:
     texts = []
     for number, solved in enumerate(found.bearings, start=1):
         if not solved.converged[0]:
-            why, advice = reason(str(solved.status.code[0])), solved.advice[0]
-            text = f"{why}: {advice}" if advice else why
-            texts.append(said("bearing {number}: {reason}", number=number, reason=text))
+            why = why_not(solved, advised=True)
+            texts.append(said("bearing {number}: {reason}", number=number, reason=why))
     return texts
 
 
