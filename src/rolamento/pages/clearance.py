@@ -6,20 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento.clearance.operating import PERCENTILES
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.pages.preload import stage_table
 from rolamento.records import frozen
@@ -52,7 +40,7 @@ _DETAILS: Final = {
 
 def clearance_page(
     found: Mounted, samples: ClearanceSamples | None = None, *, title: str = ""
-) -> Document:
+) -> doc.Document:
     """Return the chain of clearances, and what becomes of the preload of a set.
 
     Parameters
@@ -64,18 +52,18 @@ def clearance_page(
     title
         Of the case.
     """
-    head = [Section("", (Title(title),), "head")] if title else []
+    head = [doc.Section("", (doc.Title(title),), "head")] if title else []
     sections = [*head, *cautions_section(found.notes)]
     if found.stages:
         stages = stage_table(found.stages)
-        sections.append(Section(said("Preload"), (stages,), "preload"))
+        sections.append(doc.Section(said("Preload"), (stages,), "preload"))
     for place, row in enumerate(found.rows):
         sections.append(_chain(row, place if len(found.rows) > 1 else None))
     sections.append(_sources(found.rows[0]))
     if samples is not None:
         sections.append(_scatter(samples))
     sections += notes_section(remarks_of(found.notes))
-    return Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
+    return doc.Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
 
 
 @frozen
@@ -86,7 +74,7 @@ class ChainLine:
     values: Sequence[float]
     path: str
     unit: str = "µm"
-    tone: Tone = ""
+    tone: doc.Tone = ""
     source: str = ""
 
 
@@ -107,13 +95,13 @@ def chain_lines(found: OperatingClearance, details: Mapping[str, str]) -> Iterat
     yield ChainLine(said("in operation"), limits, "clearance", tone="strong")
 
 
-def _chain(found: OperatingClearance, place: int | None = None) -> Section:
+def _chain(found: OperatingClearance, place: int | None = None) -> doc.Section:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
     rows = list(chain_lines(found, _DETAILS))
     tones = [row.tone for row in rows]
     columns = [
-        Column("", [row.label for row in rows], "step", tones=tones),
-        Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
+        doc.Column("", [row.label for row in rows], "step", tones=tones),
+        doc.Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
     ]
     heads = {
         "minimum": said_in("clearance", "minimum"),
@@ -121,7 +109,7 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
         "maximum": said_in("clearance", "maximum"),
     }
     columns += [
-        Column(
+        doc.Column(
             text,
             [_number(row.values, place, row.unit) for row in rows],
             key,
@@ -134,24 +122,24 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     if place is not None:
         heading = said("Diametral clearance (µm), row {number}", number=place)
         key = f"clearance_{place}"
-    table = Table(tuple(columns), key, gap=3)
-    return Section(heading, (table,), key)
+    table = doc.Table(tuple(columns), key, gap=3)
+    return doc.Section(heading, (table,), key)
 
 
-def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
+def _number(values: Sequence[float], place: int, unit: str) -> doc.CellContent:
     decimals = 2 if max(abs(float(in_unit(value, unit))) for value in values) < 1.0 else 1
-    return Number(values[place], f".{decimals}f [{unit}]")
+    return doc.Number(values[place], f".{decimals}f [{unit}]")
 
 
-def _sources(found: OperatingClearance) -> Section:
+def _sources(found: OperatingClearance) -> doc.Section:
     entries = tuple(
-        Entry(f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", "faint")
+        doc.Entry(f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", "faint")
         for step in found.steps
     )
-    return Section(said("Origin of the steps"), (KeyValues(entries, 2),), "sources")
+    return doc.Section(said("Origin of the steps"), (doc.KeyValues(entries, 2),), "sources")
 
 
-def _scatter(samples: ClearanceSamples) -> Section:
+def _scatter(samples: ClearanceSamples) -> doc.Section:
     percentiles = ", ".join(
         said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=clearance)
         for p in PERCENTILES
@@ -170,5 +158,5 @@ def _scatter(samples: ClearanceSamples) -> Section:
         "{count} bearings sampled from their tolerances",
         count=manner().fixed(len(samples.clearance), 0),
     )
-    blocks = tuple(Statement(text, indent=2) for text in texts)
-    return Section(heading, blocks, "samples")
+    blocks = tuple(doc.Statement(text, indent=2) for text in texts)
+    return doc.Section(heading, blocks, "samples")
