@@ -44,7 +44,7 @@ EVERY = Chart(
     (
         Line(X, np.array([1.0, 2.0, np.nan, 4.0]), "line", Look("inner"), "both", (1, 1)),
         Line(X, 2.0 * X, "judged", Look("outer", "dash"), valid=HALF),
-        Line(X[:2], np.full(2, -np.inf), "none", Look("bad", mark="thin"), "points",
+        Line(X[:2], np.zeros(2), "none", Look("bad", mark="thin"), "points", height=0.0,
              texts=("why", "why not")),
         Spread(X, X, X + 1.0, "band", Look("inner2")),
         Ellipses(X[:2], X[:2], X[:2] + 0.1, X[:2] + 0.2, "ellipses", Look("outer2"), hatched=True),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -64,7 +65,8 @@ def torque_by_model(curves: Sequence[FrictionCurve], axes: Axes | None = None) -
     """
     chart = torque_chart(curves)
     faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
-    return draw(chart, axes, title=said("faint: the model is not valid there") if faint else "")
+    over = said("faint: the model is not valid there") if faint else ""
+    return draw(replace(chart, over_names=over), axes)
 
 
 def torque_chart(curves: Sequence[FrictionCurve]) -> Chart:

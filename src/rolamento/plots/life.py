@@ -23,7 +23,6 @@ from rolamento.charts.frame import (
     label_x,
     label_y,
     legend_above,
-    legend_in_columns,
     log_scale,
     panels,
 )
@@ -113,11 +112,9 @@ def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Ax
 @in_style
 def _draw_theories(chart: Chart, axes: Axes) -> Axes:
     """Draw a chart of theories, its legend in columns; say what its faint lines are."""
-    draw(chart, axes, legend=False)
-    if chart.series:
-        faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
-        legend_in_columns(axes, title=said("faint: the theory is not valid there") if faint else "")
-    return axes
+    faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
+    over = said("faint: the theory is not valid there") if faint else ""
+    return draw(replace(chart, over_names=over), axes)
 
 
 def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
@@ -144,7 +141,7 @@ def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
     if missing.any():
         count = int(missing.sum())
         why, look = no_result_count(count, len(missing)), Look("grey", mark="thin")
-        series.append(Line(x[missing], np.full(count, -np.inf), why, look, "points"))
+        series.append(Line(x[missing], np.zeros(count), why, look, "points", height=0.0))
     upright = Axis(limits=limits, log=True, label=said("Life (h)") if turns
                    else said("Life (10⁶ rev)"))  # fmt: skip
     return Chart(tuple(series), field_axis(own.over.field, own.values), upright, marks=marks)
