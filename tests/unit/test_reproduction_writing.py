@@ -278,7 +278,7 @@ def test_balls_in_their_places() -> None:
         picture=Positions(20.0, 100.0),
     )
     axes = spoken("pt", lambda: drawn(figure)).axes[0]
-    texts = {text.get_text(): text.get_position() for text in axes.texts}
+    texts = {text.get_text(): text.xy for text in axes.texts}  # type: ignore[attr-defined]
     assert texts["1"] == pytest.approx((0.0, 50.0))
     angle = np.radians(112.5)
     assert texts["2"] == pytest.approx((50.0 * np.sin(angle), 50.0 * np.cos(angle)))

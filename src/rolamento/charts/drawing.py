@@ -134,6 +134,7 @@ def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True) -> Axes
         frame(axes, "x", chart.x)
         frame(axes, "y", chart.y)
         _zones(axes, chart)
+        _unclipped(axes)
     if chart.symbols:
         for label in (axes.xaxis.label, axes.yaxis.label):
             label.set_text(mathematical(label.get_text()))
@@ -165,7 +166,7 @@ def draw_series(chart: Chart, axes: Axes) -> None:
         elif isinstance(one, Ellipses):
             _ellipses(axes, one)
         elif isinstance(one, Labels):
-            _labels(axes, one)
+            _labels(axes, one, symbols=chart.symbols)
         elif isinstance(one, Field):
             _field(axes, one)
         elif isinstance(one, Arrows):
@@ -233,13 +234,14 @@ def _line(axes: Axes, chart: Chart, line: Line, place: int) -> None:
                   label="_" if valid.any() else line.name or "_")  # fmt: skip
 
 
-def _labels(axes: Axes, own: Labels) -> None:
+def _labels(axes: Axes, own: Labels, *, symbols: bool) -> None:
     raised = own.height is not None
     y = np.full(len(own.x), own.height) if raised else own.y
     where: Any = axes.get_xaxis_transform() if raised else "data"
     for x, up, text, side in zip(own.x, y, own.texts, own.sides, strict=True):
-        axes.annotate(text, (x, up), xycoords=where, textcoords="offset points",
-                      color=LIGHT[own.color], parse_math=False, annotation_clip=not raised,
+        written = mathematical(text) if symbols else text
+        axes.annotate(written, (x, up), xycoords=where, textcoords="offset points",
+                      color=LIGHT[own.color], parse_math=symbols, annotation_clip=not raised,
                       **{"fontsize": _TEXT, **_SIDES[side]})  # fmt: skip
 
 
@@ -276,6 +278,16 @@ def _within(steps: ArrayLike, low: float, high: float) -> Floats:
     first = max(int(np.searchsorted(bounds, low, side="right")) - 1, 0)
     last = min(int(np.searchsorted(bounds, high, side="left")), len(bounds) - 1)
     return bounds[first : max(last, first + 1) + 1]
+
+
+def _unclipped(axes: Axes) -> None:
+    """Draw marks whole that stand on the edge of the frame."""
+    (left, right), (low, high) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
+    for line in axes.lines:
+        x, y = (np.asarray(values, dtype=np.float64) for values in line.get_data())
+        if line.get_linestyle() == "None" and line.get_transform() == axes.transData:
+            inside = (x >= left) & (x <= right) & (y >= low) & (y <= high)
+            line.set_clip_on(not inside[np.isfinite(x + y)].all())
 
 
 def _white_as_grey(axes: Axes) -> None:

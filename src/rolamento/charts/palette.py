@@ -43,7 +43,7 @@ class Look:
         "solid", "dash", "dashdot", "dot", "longdash", "longdashdot", "dashdotdot", "fine"
     mark
         "circle", "square", "triangle-up", "diamond", "triangle-down", "cross", "x", "star",
-        "triangle-left", "query"; "tick" is an upright stroke, "thin" a thin cross
+        "triangle-left", "triangle-right", "query"; "tick" is an upright stroke, "thin" a thin cross
     hollow
         whether marks are outlines
     width

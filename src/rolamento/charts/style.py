@@ -57,7 +57,7 @@ _DASHES: Final[Mapping[str, Any]] = {
 _MARKS: Final[Mapping[str, str]] = {
     "circle": "o", "square": "s", "triangle-up": "^", "diamond": "D", "triangle-down": "v",
     "cross": "P", "x": "X", "star": "*", "tick": "|", "thin": "x",
-    "triangle-left": "<", "query": "$?$",
+    "triangle-left": "<", "triangle-right": ">", "query": "$?$",
 }  # fmt: skip
 
 
