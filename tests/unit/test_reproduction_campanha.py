@@ -746,7 +746,7 @@ def test_pictures_are_the_same_bytes(figures: dict[str, Figure], folder: Path) -
 class Reader(HTMLParser):
     """Checks that every element is closed in turn, and gathers what the page points to."""
 
-    VOID = frozenset({"meta", "img", "br"})
+    VOID = frozenset({"meta", "img", "br", "link"})
 
     def __init__(self) -> None:
         super().__init__()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Final
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
     from rolamento.tasks.clearance import Mounted
 
-__all__ = ["STEPS", "ChainLine", "chain_lines", "clearance_page"]
+__all__ = ["STEPS", "ChainLine", "chain_lines", "clearance_page", "limit_heads"]
 
 STEPS: Final = {
     "initial": marked("before mounting"),
@@ -33,9 +33,10 @@ _DETAILS: Final = {
     "smoothing": marked("loss by smoothing"),
     "expansion": marked("gain by thermal expansion"),
     "rotation": marked("loss by rotation"),
-    "effective_interference": marked("effective in operation"),
-    "pressure": marked("pressure (MPa)"),
+    "effective_interference": marked("interference in operation"),
+    "pressure": marked("contact pressure"),
 }
+"""What goes into a fit."""
 
 
 def clearance_page(
@@ -78,15 +79,21 @@ class ChainLine:
     source: str = ""
 
 
-def chain_lines(found: OperatingClearance, details: Mapping[str, str]) -> Iterator[ChainLine]:
-    """Yield the steps, what went into each fit, and the clearance in operation.
+def limit_heads() -> dict[str, str]:
+    """Return what the limits of a clearance are called."""
+    return {
+        "minimum": said_in("clearance", "minimum"),
+        "mean": said_in("clearance", "mean"),
+        "maximum": said_in("clearance", "maximum"),
+    }
 
-    details: what goes into a fit, and what it is called, marked.
-    """
+
+def chain_lines(found: OperatingClearance) -> Iterator[ChainLine]:
+    """Yield the steps, what went into each fit, and the clearance in operation."""
     for place, step in enumerate(found.steps):
         path, name = f"clearance.steps.{place}", said(STEPS[step.name])
         yield ChainLine(name, step.change, f"{path}.change", source=step.source.text)
-        for key, label in details.items():
+        for key, label in _DETAILS.items():
             values = step.details.get(key)
             if values is not None and (any(values) or key == "interference"):
                 unit = "MPa" if key == "pressure" else "µm"
@@ -97,33 +104,26 @@ def chain_lines(found: OperatingClearance, details: Mapping[str, str]) -> Iterat
 
 def _chain(found: OperatingClearance, place: int | None = None) -> doc.Section:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
-    rows = list(chain_lines(found, _DETAILS))
+    rows = list(chain_lines(found))
     tones = [row.tone for row in rows]
     columns = [
-        doc.Column("", [row.label for row in rows], "step", tones=tones),
+        doc.Column("", [_with_unit(row) for row in rows], "step", tones=tones),
         doc.Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
     ]
-    heads = {
-        "minimum": said_in("clearance", "minimum"),
-        "mean": said_in("clearance", "mean"),
-        "maximum": said_in("clearance", "maximum"),
-    }
-    columns += [
-        doc.Column(
-            text,
-            [_number(row.values, place, row.unit) for row in rows],
-            key,
-            align="right",
-            tones=tones,
-        )
-        for place, (key, text) in enumerate(heads.items())
-    ]
+    for place, (key, text) in enumerate(limit_heads().items()):
+        numbers = [_number(row.values, place, row.unit) for row in rows]
+        columns.append(doc.Column(text, numbers, key, tones=tones))
     heading, key = said("Diametral clearance (µm)"), "clearance"
     if place is not None:
         heading = said("Diametral clearance (µm), row {number}", number=place)
         key = f"clearance_{place}"
     table = doc.Table(tuple(columns), key, gap=3)
     return doc.Section(heading, (table,), key)
+
+
+def _with_unit(line: ChainLine) -> str:
+    """Return the label of a line, with its unit where that is not the one of the heading."""
+    return line.label if line.unit == "µm" else f"{line.label} ({line.unit})"
 
 
 def _number(values: Sequence[float], place: int, unit: str) -> doc.CellContent:

@@ -80,9 +80,10 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[doc.CellContent, ...]]
                     yield one.source, one.row, *called, *own, *[None] * 4
 
 
-def line_name(name: LineName, element: str) -> str:
+def line_name(name: LineName, *elements: str) -> str:
     """Return what a line of the frequencies is called, by what rolls."""
-    return worded((element,), said(_LINES[name]), said(_OF_ROLLERS[name]))
+    balls = said(_LINES[name])
+    return worded(elements, balls, said(_OF_ROLLERS[name]), balls)
 
 
 def balls_of(bearing: Bearing | RollerBearing, frequencies: FaultFrequencies) -> str:

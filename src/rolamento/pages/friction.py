@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 __all__ = [
+    "SOURCES",
     "friction_page",
     "friction_sections",
     "power_name",
@@ -31,13 +32,14 @@ __all__ = [
     "validity_text",
 ]
 
-_SOURCES: Final = {
+SOURCES: Final = {
     "spin": marked("spin"),
-    "rolling_slip": marked("slip in rolling"),
+    "rolling_slip": marked("differential slip"),
     "rib": marked("sliding at the ribs"),
     "hysteresis": marked("elastic hysteresis"),
-    "rolling_resistance": marked("oil at the inlets"),
+    "rolling_resistance": marked("hydrodynamic rolling resistance"),
 }
+"""Sources of friction, by their names in `Friction.torque_by_source`."""
 _REASONS: Final = {
     "inertia": marked("inertia"),
     "full_film": marked("full film"),
@@ -94,7 +96,7 @@ def beside_sections(analysis: Analysis) -> list[doc.Section]:
 
 def source_name(source: str) -> str:
     """Return what a source of friction is called, by its name in `Friction.torque_by_source`."""
-    return said(_SOURCES[source])
+    return said(SOURCES[source])
 
 
 def torque_unit(values: Sequence[float]) -> str:
@@ -207,7 +209,7 @@ def _totals(friction: Friction) -> doc.Table:
 
 def _sources(friction: Friction) -> list[doc.Section]:
     """Show torque and heat of every source, the heat by race, and their sums."""
-    names = [name for name in _SOURCES if name in friction.torque_by_source]
+    names = [name for name in SOURCES if name in friction.torque_by_source]
     torque = [float(friction.torque_by_source[name][0]) for name in names]
     columns = [
         doc.Column("", [*(source_name(name) for name in names), said("sum")], "source"),

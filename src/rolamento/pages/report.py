@@ -20,11 +20,13 @@ from rolamento.friction.models import torque_model_name
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages import quantities as q
-from rolamento.pages.clearance import STEPS, chain_lines
+from rolamento.pages.clearance import STEPS, chain_lines, limit_heads
 from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.friction import power_unit, torque_unit
+from rolamento.pages.film import FILMS
+from rolamento.pages.frequencies import line_name
+from rolamento.pages.friction import SOURCES, power_unit, source_name, torque_unit
 from rolamento.pages.given import no_load_text, title_of
 from rolamento.pages.life import FACTORS, LONGEST_LIFE, hours_text, rating_source, verdict
 from rolamento.pages.preload import STAGE_NAMES
@@ -1181,16 +1183,6 @@ def _verdict(case: CaseReport, theory: str) -> str:
 
 # --- clearance ------------------------------------------------------------------------------------
 
-_DETAILS: Final = {
-    "interference": marked("interference as mounted"),
-    "smoothing": marked("loss by smoothing"),
-    "expansion": marked("gain by expansion"),
-    "rotation": marked("loss by rotation"),
-    "effective_interference": marked("interference in operation"),
-    "pressure": marked("contact pressure"),
-}
-_LIMITS: Final = ("minimum", "mean", "maximum")
-
 
 def _clearance(report: Report) -> list[doc.Table]:
     if len(report.cases) == 1:
@@ -1203,11 +1195,10 @@ def _clearance(report: Report) -> list[doc.Table]:
             for case in report.cases
         )
     ]
-    limits = {"minimum": said("minimum"), "mean": said("mean"), "maximum": said("maximum")}
     groups: list[_Group] = [
         (
             said("Diametral clearance in operation"),
-            [_clearance_row(limits[name], name) for name in _LIMITS],
+            [_clearance_row(head, name) for name, head in limit_heads().items()],
         )
     ]
     steps = []
@@ -1236,18 +1227,17 @@ def _place_of(case: CaseReport, step: str) -> int | None:
 
 def _chain(case: CaseReport) -> doc.Table:
     """The chain of clearances of one case, with what went into the fits."""
-    lines = list(chain_lines(case.clearance, _DETAILS))
+    lines = list(chain_lines(case.clearance))
     tones = [line.tone for line in lines]
-    heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
         doc.Column(
             said("diametral clearance"), [line.label for line in lines], "step", tones=tones
         ),
         doc.Column(said("unit"), [line.unit for line in lines], "unit", tone="faint"),
     ]
-    for at, head in enumerate(heads):
+    for at, (key, head) in enumerate(limit_heads().items()):
         cells = [doc.Number(line.values[at], f".1f [{line.unit}]") for line in lines]
-        columns.append(doc.Column(head, cells, _LIMITS[at], align="right", tones=tones))
+        columns.append(doc.Column(head, cells, key, tones=tones))
     columns += [
         doc.Column(said("source"), [line.source for line in lines], "source", tone="faint"),
         doc.Column("path", [line.path for line in lines], "path", only_in_files=True),
@@ -1464,14 +1454,6 @@ _OF_CONTACTS: Final = (
     ("load", marked("maximum contact load"), ".5 N"),
     ("spin_to_roll", marked("maximum spin-to-roll ratio"), ".4f"),
 )
-_OF_FILMS: Final = (
-    ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
-    ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
-    ("film_parameter", marked("film parameter λ"), ".3"),
-    ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
-    ("thermal_factor", marked("thermal factor"), ".3 %"),
-    ("starvation_factor", marked("starvation factor"), ".3 %"),
-)
 """Columns of the contacts of a race: name in the extremes, label, form."""
 
 
@@ -1556,21 +1538,12 @@ def _film(report: Report) -> tuple[doc.Table, ...]:
         "outer": said("Thinnest film, outer race"),
     }
     tables = q.tables_of(report.cases, [(said("Lubricant"), oil)], "oil")
-    return (*tables, *_by_race(report, _OF_FILMS, heads, "film"))
+    return (*tables, *_by_race(report, FILMS, heads, "film"))
 
 
 def _lubricant(case: CaseReport) -> str:
     lubricant = case.case.lubricant
     return "" if lubricant is None else lubricant.name
-
-
-_LOSSES: Final = {
-    "spin": marked("spin"),
-    "rolling_slip": marked("differential slip"),
-    "hysteresis": marked("elastic hysteresis"),
-    "rolling_resistance": marked("hydrodynamic rolling resistance"),
-    "rib": marked("sliding on the rib"),
-}
 
 
 def _friction(report: Report) -> tuple[doc.Table, ...]:
@@ -1593,10 +1566,12 @@ def _friction(report: Report) -> tuple[doc.Table, ...]:
         _power(report, power),
     ]
     torques = [
-        q.FRICTION(said(label), f"torque_by_source.{name}", torque, partial(_of_source, name=name))
-        for name, label in _LOSSES.items()
+        q.FRICTION(
+            source_name(one), f"torque_by_source.{one}", torque, partial(_of_source, name=one)
+        )
+        for one in SOURCES
     ]
-    heats = [q.extreme(said(label), f"heat_{name}", power) for name, label in _LOSSES.items()]
+    heats = [q.extreme(source_name(one), f"heat_{one}", power) for one in SOURCES]
     found = [case.analysis.friction for case in report.cases if case.analysis.friction is not None]
     models = [
         q.FRICTION(
@@ -1669,30 +1644,11 @@ def _numbers(report: Report, quantities: Sequence[_Quantity]) -> list[float]:
     return [number for number in found if number is not None]
 
 
-_LINES: Final[dict[LineName, str]] = {
-    "cage": marked("cage"),
-    "ball_pass_outer": marked("outer race (ball pass)"),
-    "ball_pass_inner": marked("inner race (ball pass)"),
-    "ball_spin": marked("ball spin"),
-    "ball_spin_twice": marked("ball damage (twice the spin)"),
-}
-_LINES_OF_ROLLERS: Final[dict[LineName, str]] = {
-    "cage": marked("cage"),
-    "ball_pass_outer": marked("outer race (roller pass)"),
-    "ball_pass_inner": marked("inner race (roller pass)"),
-    "ball_spin": marked("roller spin"),
-    "ball_spin_twice": marked("roller damage (twice the spin)"),
-}
-
-
 def _line_names(cases: Sequence[CaseReport]) -> dict[LineName, str]:
     """What the lines are called in some cases, whose frequencies are of balls or of rollers."""
     found = [case.analysis.frequencies for case in cases]
     elements = [one.element for one in found if one is not None]
-    return {
-        name: worded(elements or ("ball",), said(label), said(_LINES_OF_ROLLERS[name]), said(label))
-        for name, label in _LINES.items()
-    }
+    return {name: line_name(name, *(elements or ("ball",))) for name in ABBREVIATIONS}
 
 
 def _frequencies(report: Report) -> tuple[doc.Table, ...]:
