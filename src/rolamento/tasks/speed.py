@@ -21,6 +21,7 @@ from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.ratings import (
     dynamic_rating,
+    rated_as,
     roller_dynamic_rating,
     roller_static_rating,
     static_rating,
@@ -353,9 +354,11 @@ def _rating(row: Bearing | RollerBearing, name: str, angle: float) -> float:
     """C or C_0 by the standards, NaN of balls on other grooves; N."""
     if isinstance(row, RollerBearing):
         sizes = (row.roller_count, row.roller_diameter, row.effective_length, row.pitch_diameter)
+        kind = row.bearing_type
+        thrust = bool(rated_as(kind.rated)["axial"])
         if name == "static_rating":
-            return float(roller_static_rating(*sizes, angle))
-        return float(roller_dynamic_rating(*sizes, angle, kind=row.element))
+            return float(roller_static_rating(*sizes, angle, thrust=thrust))
+        return float(roller_dynamic_rating(*sizes, angle, kind=kind.key, thrust=thrust))
     if row.kind is not None:
         return nan
     of_balls = dynamic_rating if name == "dynamic_rating" else static_rating
@@ -626,6 +629,8 @@ class _Asked:
     ) -> list[MinimumLoad]:
         given, (radial, _) = self.boundary, self.loads
         bearing = self.case.bearing
+        if bearing.bearing_type.washers:  # the rules are for radial load
+            return []
         is_full = bearing.published is not None and bearing.published.is_full_complement
         static_share = minimum_static_share(bearing.bearing_type.key, is_full)
         if static_share is not None:
