@@ -69,7 +69,12 @@ _SIDES: Final[dict[str, dict[str, Any]]] = {
     "left": {"xytext": (-4, 0), "ha": "right", "va": "center"},
     "right": {"xytext": (6, 3), "ha": "left", "va": "center"},
     "above": {"xytext": (0, 3), "ha": "center", "va": "bottom"},
-    "on": {"xytext": (0, 0), "ha": "center", "va": "center"},
+    "on": {
+        "xytext": (0, 0),
+        "ha": "center",
+        "va": "center",
+        "bbox": {"facecolor": "white", "linewidth": 0.0, "pad": 0.6},
+    },
     "along": {"xytext": (-1, 0), "ha": "right", "va": "top", "rotation": 90.0, "fontsize": 7.0},
 }
 _SPARSE: Final = 0.18

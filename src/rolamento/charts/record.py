@@ -342,6 +342,11 @@ class Chart:
         """What it shows, for those who cannot see it."""
         return ". ".join(part for part in (self.title, self.conclusion) if part)
 
+    def where_faint(self, text: str) -> Chart:
+        """Return it with a text over the names of its series, if some of them are faint."""
+        faint = any(line.valid is not None and not line.valid.all() for line in self.lines)
+        return replace(self, over_names=text) if faint else self
+
     @property
     def lines(self) -> tuple[Line, ...]:
         """Its series that are lines or points."""

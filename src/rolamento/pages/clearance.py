@@ -110,9 +110,9 @@ def _chain(found: OperatingClearance, place: int | None = None) -> doc.Section:
         doc.Column("", [_with_unit(row) for row in rows], "step", tones=tones),
         doc.Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
     ]
-    for place, (key, text) in enumerate(limit_heads().items()):
-        numbers = [_number(row.values, place, row.unit) for row in rows]
-        columns.append(doc.Column(text, numbers, key, tones=tones))
+    for limit, (name, text) in enumerate(limit_heads().items()):
+        numbers = [_number(row.values, limit, row.unit) for row in rows]
+        columns.append(doc.Column(text, numbers, name, tones=tones))
     heading, key = said("Diametral clearance (µm)"), "clearance"
     if place is not None:
         heading = said("Diametral clearance (µm), row {number}", number=place)

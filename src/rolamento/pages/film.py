@@ -99,8 +99,8 @@ FILMS: Final = (
 
 
 def _thinnest(film: Film) -> Table:
-    rows = [
-        Quantity[Race](said(label), partial(_at_thinnest, film, name=name), form)
+    rows: list[Quantity[Race]] = [
+        Quantity(said(label), partial(_at_thinnest, film, name=name), form)
         for name, label, form in FILMS
     ]
     shown = [
