@@ -127,7 +127,7 @@ def legend_above(
         handles,
         labels,
         loc="lower center" if polar else "lower left",
-        bbox_to_anchor=(0.5, 1.1) if polar else (0.0, 1.0),
+        bbox_to_anchor=(0.5, 1.15) if polar else (0.0, 1.0),
         ncols=_columns(axes, labels),
         borderaxespad=0.2,
         borderpad=0.2,

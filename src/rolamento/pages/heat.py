@@ -125,7 +125,6 @@ def _nodes(found: HeatBalance) -> doc.Section:
             [doc.Number(root.temperatures[one], ".1f [°C]") for one in NODES],
             "temperature",
             "°C",
-            align="right",
             tones=tones,
         ),
         doc.Column(said("heat put in"), [heated[one] for one in NODES], "heat", "W", tones=tones),
@@ -222,7 +221,6 @@ def _roots(found: HeatBalance) -> doc.Section:
             [doc.Number(one.temperatures[node], ".1f [°C]") for one in roots],
             node,
             "°C",
-            align="right",
         )
         for node in NODES
     ]

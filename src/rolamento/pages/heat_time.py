@@ -119,7 +119,6 @@ def _columns(
             [doc.Number(one, ".3 [min]") for one in found.time[some].tolist()],
             "time",
             "min",
-            align="right",
         )
     ]
     if np.ptp(found.speed) > 0.0:
@@ -224,7 +223,6 @@ def _plan(found: WarmUp) -> doc.Section:
             [doc.Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines],
             "warmest",
             "°C",
-            align="right",
         ),
     ]
     if course.has_preload:

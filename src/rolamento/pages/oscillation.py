@@ -110,7 +110,6 @@ def _races(life: OscillationLife) -> doc.Section:
             [doc.Number(value, ".4 [°]") for value in critical],
             "critical",
             "°",
-            align="right",
             tones=tones,
         ),
         doc.Column(said("lost averaging"), window, "window", "–", form=".4", tones=tones),
@@ -119,7 +118,6 @@ def _races(life: OscillationLife) -> doc.Section:
             [doc.Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
             "life",
             _UNIT,
-            align="right",
             tones=tones,
         ),
     ]
@@ -196,7 +194,6 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> doc.Document:
             [doc.Number(one.angle, ".4 [°]") for one in found.lives],
             "angle",
             "°",
-            align="right",
             tones=tones,
         ),
         doc.Column(
@@ -204,7 +201,6 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> doc.Document:
             [doc.Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
             "life",
             _UNIT,
-            align="right",
             tones=tones,
         ),
         _percent(said("share of the damage"), "damage", found.damage.tolist(), tones),

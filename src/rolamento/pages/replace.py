@@ -339,8 +339,8 @@ def _steps(study: FleetStudy) -> doc.Section:
         doc.Column(
             said("expected"), [doc.Number(step.expected, ".3") for step in found.steps], "expected"
         ),
-        doc.Column(said("from"), [int(step.lower) for step in found.steps], "lower", align="right"),
-        doc.Column(said("to"), [int(step.upper) for step in found.steps], "upper", align="right"),
+        doc.Column(said("from"), [int(step.lower) for step in found.steps], "lower"),
+        doc.Column(said("to"), [int(step.upper) for step in found.steps], "upper"),
     )
     legend = said(
         "Cumulated failures; from–to: {confidence} % prediction interval, with chance and with the"

@@ -1681,11 +1681,8 @@ def _frequency_table(case: CaseReport) -> tuple[doc.Table, ...]:
             [doc.Number(own.frequency, ".5 [Hz]") for own in lines],
             "frequency",
             "Hz",
-            align="right",
         ),
-        doc.Column(
-            said("order"), [doc.Number(own.order, ".5") for own in lines], "order", align="right"
-        ),
+        doc.Column(said("order"), [doc.Number(own.order, ".5") for own in lines], "order"),
         doc.Column(
             "path", [f"{q.FREQUENCIES.path}.{name}" for name in labels], "path", only_in_files=True
         ),

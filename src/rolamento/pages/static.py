@@ -235,7 +235,6 @@ def _launch(found: StaticSafety, level: int) -> doc.Section:
                 "MoS",
                 [doc.Number(margin, "+.2f") for margin in margins],
                 "margin",
-                align="right",
                 tones=tones,
             ),
         )

@@ -151,7 +151,7 @@ def _torque(found: TorqueTurn) -> doc.Section:
         doc.Column("", [label for label, _ in rows], "quantity"),
         doc.Column("", values, "value", align="right"),
         doc.Column("", [unit] * len(rows), "unit"),
-        doc.Column("", [doc.Number(share, ".3 %") for share in shares], "share", align="right"),
+        doc.Column("", [doc.Number(share, ".3 %") for share in shares], "share"),
     )
     legend = said("of an ideal bearing; unlike elements, waviness and the cage add more")
     table = doc.Table(columns, "torque", headless=True, legends=(legend,))

@@ -26,6 +26,7 @@ from rolamento.charts.drawing import draw
 from rolamento.charts.frame import add_title
 from rolamento.charts.style import MILLIMETRE, WIDTH, styled
 from rolamento.charts.texts import number
+from rolamento.solved import RACES
 from rolamento.words import said, worded
 
 if TYPE_CHECKING:
@@ -64,7 +65,7 @@ def cage_turn_figure(turn: CageTurn) -> Figure:
             axes = figure.add_subplot(2, 2, place, projection="polar" if chart.polar else None)
             draw(chart, axes)
             above = 6.0 if axes.get_legend() is None or not chart.series else 20.0
-            axes.set_title(chart.title, loc="left", pad=34.0 if chart.polar else above)
+            axes.set_title(chart.title, loc="left", pad=40.0 if chart.polar else above)
         if turn.case.title:
             add_title(figure, turn.case.title)
     return figure
@@ -145,7 +146,7 @@ def load_chart(turn: CageTurn) -> Chart:
              1e-3 * np.append(load, load[0]), race_name(race, own.row, len(turn.histories)),
              race_look(race, row=own.row))
         for own in turn.histories
-        for race, load in (("inner", own.inner.load), ("outer", own.outer.load))
+        for race, load in zip(RACES, (own.inner.load, own.outer.load), strict=True)
     ]  # fmt: skip
     if not any(np.isfinite(line.y).any() for line in lines):
         return replace(nothing(said("no point has a result")), title=title)
@@ -171,12 +172,12 @@ def harmonics_chart(turn: CageTurn) -> Chart:
     passage = worded(
         turn.elements, said("Harmonic of the ball passage"), said("Harmonic of the roller passage")
     )
-    behind = f" ({number(frequency)} Hz)" if np.isfinite(frequency) else ""
+    behind = f"; 1× = {number(frequency)} Hz" if np.isfinite(frequency) else ""
     ends = 0.4 * float(np.nanmin(shown)), 2.0 * float(np.nanmax(shown))
     return Chart(
         tuple(bars),
-        Axis(limits=ends, log=True, label=unit.label(said("Amplitude"))),
+        Axis(limits=ends, log=True, label=unit.label(said("Amplitude")) + behind),
         Axis(categories=tuple(f"{order}×" for order in range(1, len(shown) + 1)),
-             label=passage + behind),
+             label=passage),
         title=title,
     )  # fmt: skip

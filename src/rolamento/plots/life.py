@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Final, Literal, NamedTuple
 
 import numpy as np
@@ -311,6 +312,7 @@ def modification_chart(summary: LifeSummary | None = None) -> Chart:
     points = [] if summary is None else _factors_of(summary)
     rollers = summary is not None and summary.headline.element == "roller"
     limits = _wide_enough([line.x for line in points])
+    upright = _FACTOR[0], _FACTOR[1] * _AISO_ROOM
     strength = np.geomspace(*limits, _POINTS)
     curves = [
         life_modification_factor(ratio, strength, 1.0, 1.0, rollers=rollers) for ratio in _RATIOS
@@ -328,11 +330,18 @@ def modification_chart(summary: LifeSummary | None = None) -> Chart:
         series.append(Labels(strength[:1], strength[:1], (none,), ("right",), height=0.95))
     return Chart(
         (*series, *points),
-        Axis(limits=limits, log=True, label="e_C C_u/P"),
-        Axis(limits=(_FACTOR[0], _FACTOR[1] * _AISO_ROOM), log=True, label="a_ISO"),
+        Axis(limits=limits, log=True, label="e_C C_u/P", ticks=_round_ticks(limits)),
+        Axis(limits=upright, log=True, label="a_ISO", ticks=_round_ticks(upright)),
         "; ".join(line.name for line in points),
         symbols=True,
     )
+
+
+def _round_ticks(ends: tuple[float, float]) -> tuple[tuple[float, str], ...]:
+    """Return 1, 2 and 5 of each decade, as the standard's charts have them."""
+    powers = range(floor(log10(ends[0])), ceil(log10(ends[1])) + 1)
+    found = (step * 10.0**power for power in powers for step in (1.0, 2.0, 5.0))
+    return tuple((one, number(one)) for one in found if ends[0] <= one * 1.001 <= ends[1] * 1.01)
 
 
 def _place_of_name(factor: Floats, height: float) -> tuple[int, Side]:
