@@ -106,13 +106,15 @@ def _torques(curve: FrictionCurve, number: int) -> doc.Section:
     if "rolling_resistance" in curve.friction.heat:
         legend = said(
             "running torque of all sources, in {unit}: the contacts by each model, elastic"
-            " hysteresis, oil at the inlets; friction control includes the inertia of the balls",
+            " hysteresis, hydrodynamic rolling resistance; friction control includes the inertia"
+            " of the balls",
             unit=unit,
         )
     if curve.case.bearing.element != "ball":
         legend = said(
-            "running torque of all sources, in {unit}: the contacts, elastic hysteresis, oil at the"
-            " inlets; Palmgren and SKF have formulas for the whole bearing",
+            "running torque of all sources, in {unit}: the contacts, elastic"
+            " hysteresis, hydrodynamic rolling resistance; Palmgren and SKF have formulas for the"
+            " whole bearing",
             unit=unit,
         )
     table = doc.Table(tuple(columns), f"torque_{number}", legends=(legend,))
