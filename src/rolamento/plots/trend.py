@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from rolamento.numerics.growth import Forecast
     from rolamento.weibull import Trend
 
-__all__ = ["trend_chart", "trend_figure", "trend_lines"]
+__all__ = ["trend_chart", "trend_figure"]
 
 QUANTITIES: Final[Mapping[str, str]] = {"radial clearance": marked("radial clearance")}
 """What columns of a record are called, of which the name is known."""
@@ -46,7 +46,7 @@ def trend_figure(
 ) -> Figure:
     """Draw every quantity of a record, one below the other, with its title.
 
-    fits: laws of wear, as of `trend_lines`. limits: when limits are reached, by bearing and place
+    fits: laws of wear, as of `trend_chart`. limits: when limits are reached, by bearing and place
     of the quantity. acceptance: values up to which a quantity is accepted, by its place.
     """
     count = len(trend.quantities)
@@ -59,18 +59,6 @@ def trend_figure(
     height = _HEIGHT if count == 1 else 25.0 + _PANEL * count
     drawn = (partial(lines, quantity) for quantity in range(count))
     return panels(*drawn, title=trend.title, height=height)
-
-
-def trend_lines(
-    trend: Trend,
-    quantity: int = 0,
-    axes: Axes | None = None,
-    *,
-    fits: Mapping[str, WearFit] | None = None,
-    limits: Mapping[str, Forecast] | None = None,
-) -> Axes:
-    """Draw a quantity of every bearing over its running time, as `trend_chart` has it."""
-    return draw(trend_chart(trend, quantity, fits, limits), axes)
 
 
 def trend_chart(

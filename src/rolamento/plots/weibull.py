@@ -16,16 +16,13 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, once, series_look
-from rolamento.charts.drawing import draw, figure
-from rolamento.charts.style import new_figure
+from rolamento.charts.drawing import figure
 from rolamento.charts.texts import no_result, number, shown_text
 from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
 from rolamento.weibull.summary import has_ranks
 from rolamento.words import manner, marked, said, said_in
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.weibull import (
         Band,
         GroupSummary,
@@ -35,7 +32,7 @@ if TYPE_CHECKING:
         WeibullFit,
     )
 
-__all__ = ["contour_figure", "likelihood_contour", "weibull_figure", "weibull_paper"]
+__all__ = ["contour_figure", "paper_chart", "regions_chart", "weibull_figure"]
 
 Floats = NDArray[np.float64]
 Ends = tuple[float, float]
@@ -80,8 +77,8 @@ _RATING_SHAPE: Final = EXPONENTS["ball"]
 
 
 def weibull_figure(summary: LifeTestSummary, bands: Mapping[str, Band] | None = None) -> Figure:
-    """Draw probability paper, as `weibull_paper`, with the title of the data."""
-    return _figure(paper_chart(summary, bands or {}), summary, _HEIGHT)
+    """Draw probability paper, as `paper_chart` has it, with the title of the data."""
+    return _figure(paper_chart(summary, bands), summary, _HEIGHT)
 
 
 def _figure(chart: Chart, summary: LifeTestSummary, height: float) -> Figure:
@@ -91,18 +88,7 @@ def _figure(chart: Chart, summary: LifeTestSummary, height: float) -> Figure:
     return figure(chart, title=summary.test.title, height=tall)
 
 
-def weibull_paper(
-    summary: LifeTestSummary, bands: Mapping[str, Band] | None = None, axes: Axes | None = None
-) -> Axes:
-    """Draw probability paper, as `paper_chart` has it.
-
-    axes: to draw on; of a new figure if not given.
-    """
-    axes = new_figure(height=_HEIGHT)[1] if axes is None else axes
-    return draw(paper_chart(summary, bands or {}), axes)
-
-
-def paper_chart(summary: LifeTestSummary, bands: Mapping[str, Band]) -> Chart:
+def paper_chart(summary: LifeTestSummary, bands: Mapping[str, Band] | None = None) -> Chart:
     """Return failures, suspensions, fitted lines and their bounds on probability paper.
 
     Parameters
@@ -125,6 +111,7 @@ def paper_chart(summary: LifeTestSummary, bands: Mapping[str, Band]) -> Chart:
     """
     if not summary.has_result and not summary.test.failures:
         return nothing(no_result())
+    bands = bands or {}
     across, upright = _limits(summary, bands)
     ordinate = np.linspace(*upright, _CURVE)
     series = [
@@ -281,19 +268,8 @@ def _calculated_lives(summary: LifeTestSummary) -> Iterator[tuple[str, float]]:
 
 
 def contour_figure(summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion]) -> Figure:
-    """Draw regions, as `likelihood_contour`, with the title of the data."""
+    """Draw regions, as `regions_chart` has them, with the title of the data."""
     return _figure(regions_chart(summary, regions), summary, _CONTOUR_HEIGHT)
-
-
-def likelihood_contour(
-    summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion], axes: Axes | None = None
-) -> Axes:
-    """Draw the regions of `regions_chart`.
-
-    axes: to draw on; of a new figure if not given.
-    """
-    axes = new_figure(height=_CONTOUR_HEIGHT)[1] if axes is None else axes
-    return draw(regions_chart(summary, regions), axes)
 
 
 def regions_chart(summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion]) -> Chart:

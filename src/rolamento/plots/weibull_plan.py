@@ -10,17 +10,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Labels, Line, Look, Mark, nothing, series_look
-from rolamento.charts.drawing import draw, figure
+from rolamento.charts.drawing import figure
 from rolamento.charts.record import Side
 from rolamento.charts.texts import no_result, number, shown_text
 from rolamento.words import counted, said
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.weibull import Demonstration, LifeTestPlan
 
-__all__ = ["chance_figure", "chance_of_passing", "cost_figure", "cost_of_precision"]
+__all__ = ["chance_chart", "chance_figure", "cost_chart", "cost_figure"]
 
 _RATIOS: Final = (0.3, 20.0)
 _POINTS: Final = 300
@@ -32,11 +30,6 @@ _ASIDE: Final = 0.006
 def chance_figure(plans: Sequence[Demonstration], unit: str) -> Figure:
     """Draw chances of passing, as `chance_chart` has them, on a figure of their own."""
     return figure(chance_chart(plans, unit), height=_HEIGHT)
-
-
-def chance_of_passing(plans: Sequence[Demonstration], unit: str, axes: Axes | None = None) -> Axes:
-    """Draw chances of passing, as `chance_chart` has them, on axes."""
-    return draw(chance_chart(plans, unit), axes)
 
 
 def chance_chart(plans: Sequence[Demonstration], unit: str) -> Chart:
@@ -81,11 +74,6 @@ def cost_figure(plans: Sequence[LifeTestPlan], unit: str) -> Figure:
     """Draw what tests cost, as `cost_chart` has it, with a title."""
     title = said("Tests of equal precision")
     return figure(cost_chart(plans, unit), title=title, height=_HEIGHT + 10.0)
-
-
-def cost_of_precision(plans: Sequence[LifeTestPlan], unit: str, axes: Axes | None = None) -> Axes:
-    """Draw what tests cost, as `cost_chart` has it, on axes."""
-    return draw(cost_chart(plans, unit), axes)
 
 
 def cost_chart(plans: Sequence[LifeTestPlan], unit: str) -> Chart:
