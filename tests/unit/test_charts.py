@@ -194,6 +194,8 @@ def test_pictures_are_plain_json_and_say_what_they_say() -> None:
     assert json.loads(json.dumps(found, allow_nan=False)) == found
     assert found["summary"] == "The load rises."
     assert EVERY.alternative == "Load over speed. The load rises."
+    untitled = replace(EVERY, title="")
+    assert untitled.alternative == "Load (N) over Speed (rpm). The load rises."
 
 
 def test_panels_stand_beside_or_below_one_another() -> None:

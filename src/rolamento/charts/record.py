@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.charts.axes_units import DEGREE, NONE
 from rolamento.charts.palette import Look
 from rolamento.records import frozen
+from rolamento.words import said
 
 __all__ = [
     "Arrows", "Axis", "Bars", "Chart", "Ellipses", "Field", "Labels", "Line", "Mark", "Spread",
@@ -339,8 +340,12 @@ class Chart:
 
     @property
     def alternative(self) -> str:
-        """What it shows, for those who cannot see it."""
-        return ". ".join(part for part in (self.title, self.conclusion) if part)
+        """What it shows, for those who cannot see it; without a title by its axes."""
+        up, across = self.y.title, self.x.title
+        shown = self.title
+        if not shown and self.series and up and across and not self.polar:
+            shown = said("{what} over {field}.", what=up, field=across).rstrip(".")
+        return ". ".join(part for part in (shown, self.conclusion) if part)
 
     def where_faint(self, text: str) -> Chart:
         """Return it with a text over the names of its series, if some of them are faint."""
