@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 import typer
 import xarray as xr
+from rolamento.cli.plot import Kind, plot
 from typer.testing import CliRunner
 
 import rolamento as ro
-from rolamento.cli.plot import Kind, plot
 from rolamento.solution import solve
 from rolamento.solved import Solved
 

@@ -25,7 +25,7 @@ from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 from rolamento.case.hints import hint
 from rolamento.case.quantity import AT_THE_BORDER, Replaces
-from rolamento.errors import ABSENT, InputError, UnknownKeyError
+from rolamento.errors import ABSENT, InputError, UnknownKeyError, phrase
 from rolamento.records import concise
 from rolamento.words import marked, said
 
@@ -223,7 +223,7 @@ def refuse_rivals(record: BaseModel) -> None:
         for before in given[:index]:
             if before in replaced(type(record), name) and name in replaced(type(record), before):
                 raise InputError(
-                    said("cannot be combined with {before}", before=before), field=name
+                    phrase(marked("cannot be combined with {before}"), before=before), field=name
                 )
 
 
@@ -295,6 +295,8 @@ def _completed(
     """Return an error raised by a validator of ours, with the place where it happened."""
     full_path = (*path, cause.field) if cause.field else path
     known = cause.with_details(field=".".join(full_path))
+    if not full_path:  # of the record itself, which has no value that can be shown
+        return known
     if not cause.field:
         whole = not isinstance(given, list | tuple) or cause.value is ABSENT  # not one of several
         value = given if whole else cause.value

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Final, Self, cast, get_args
+from typing import Annotated, Any, ClassVar, Final, cast, get_args
 
 import numpy as np
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import ConfigDict, Field
 
 from rolamento.case.arrangement import (
     Arrangement,
@@ -334,13 +334,6 @@ def _check_rings(bearing: RollerBearing) -> None:
             value=bearing.kind,
             example=f'element = "{kind.element}"',
         )
-    for name in ("arrangement", "rows", "preload"):
-        if bearing.kind is not None and getattr(bearing, name) is not None:
-            raise InputError(
-                said('does not go with kind = "{kind}"', kind=bearing.kind),
-                field=name,
-                example=said("leave it out, or leave out kind"),
-            )
     if kind.barrels and kind.aligns and bearing.outer_raceway_radius is not None:
         raise InputError(
             said("is not given of such a bearing: its outer race is a sphere about its centre"),
@@ -613,13 +606,8 @@ class RollerBearing(RollingBearing):
             return of_grooves(self.kind, self.element)
         return type_of_element(self.element)
 
-    @property
-    def places(self) -> tuple[RowPlace, ...]:
-        """The rows along +x, each as a bearing of one row; one if it is no set."""
-        if not self._set_by_kind:
-            return super().places
-        row = self.model_copy(update={"kind": None})
-        return rows_about_centre(row, self.row_angle)
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        return rows_about_centre(self.model_copy(update={"kind": None}), self.row_angle)
 
     @property
     def element_count(self) -> int:
@@ -675,14 +663,10 @@ class RollerBearing(RollingBearing):
         )  # fmt: skip
         return tuple(name for name in names if name not in given)
 
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
+    def _check_fields(self) -> None:
         self._check_angles()
         _check_rings(self)
         self._check_play()
-        self.check_rules()
-        self.check_set()
-        return self
 
     def _check_angles(self) -> None:
         """Tapered rollers have their angles, others none."""

@@ -46,10 +46,10 @@ from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
-from rolamento.errors import InputError
+from rolamento.errors import InputError, phrase
 from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
 from rolamento.units import Dimension, from_si
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.case.bearing import Bearing
@@ -283,20 +283,8 @@ class RollingBearing(Record):
 
     @property
     def element_rows(self) -> tuple[RowPlace, ...]:
-        """Those of the `places` that have elements of their own."""
-        return self.places
-
-    def check_rules(self) -> None:
-        """Refuse what no such bearing has.
-
-        Raises
-        ------
-        InputError
-            Of the first rule that is violated.
-        """
-        for rule in self.RULES:
-            if not rule.holds(self):
-                raise rule.refusal(self)
+        """Those of the `places` that have elements of their own: one of a four-point bearing."""
+        return self.places[:: self.bearing_type.contacts_per_ring]
 
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
@@ -341,6 +329,10 @@ class RollingBearing(Record):
     def places(self) -> tuple[RowPlace, ...]:
         """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
         return _places_of(self, frozenset(self.model_fields_set))
+
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        """The rows that follow from its kind, where any do."""
+        raise NotImplementedError
 
     def own_fields(self, index: int) -> frozenset[str]:
         """Return the fields of its geometry that a row does not take from the set."""
@@ -462,14 +454,28 @@ class RollingBearing(Record):
         """Fields that follow from the others."""
         return ()
 
-    def check_set(self) -> None:
-        """Keep arrangement, rows and preload to what goes together.
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        """Keep fields, geometry and rows to what such a bearing has."""
+        for name in ("arrangement", "rows", "preload") if self.kind is not None else ():
+            if getattr(self, name) is not None:
+                raise InputError(
+                    said('does not go with kind = "{kind}"', kind=self.kind),
+                    field=name,
+                    example=said("leave it out, or leave out kind"),
+                )
+        self._check_fields()
+        for rule in self.RULES:
+            if not rule.holds(self):
+                raise rule.refusal(self)
+        self._check_set()
+        return self
 
-        Raises
-        ------
-        InputError
-            If they contradict each other.
-        """
+    def _check_fields(self) -> None:
+        """Keep the fields to those that such a bearing has."""
+
+    def _check_set(self) -> None:
+        """Keep arrangement, rows and preload to what goes together."""
         if self.arrangement is not None and self.rows is not None:
             raise InputError(
                 said("cannot be combined with rows listed one by one"),
@@ -484,7 +490,7 @@ class RollingBearing(Record):
                 ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
             )
             raise InputError(
-                said("is missing; {beside} needs it", beside=beside),
+                phrase(marked("is missing; {beside} needs it"), beside=beside),
                 field=missing,
                 example='arrangement = "DB" with spacing = "24 mm"',
             )
@@ -620,6 +626,8 @@ def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace
 
     given: the user's own fields, which bearings that are equal may differ in.
     """
+    if bearing._set_by_kind:
+        return bearing._rows_by_kind()
     rows = _rows(bearing)
     if rows is None:
         return (_placed(bearing, 1.0, 0.0, 0.0),)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from io import StringIO
 from itertools import zip_longest
 from textwrap import wrap
-from typing import Final, TypeAlias
+from typing import ClassVar, Final, TypeAlias
 
 from rich.console import Console
 from rich.text import Text
@@ -47,6 +47,7 @@ from rolamento.document.model import (
     Title,
     Tone,
 )
+from rolamento.records import frozen
 from rolamento.words import ABSENT, speaking
 
 __all__ = ["terminal"]
@@ -86,47 +87,30 @@ def terminal(document: Document, medium: Medium | None = None) -> str:
     with speaking(document.language):
         medium = medium or Medium()
         setter = _Setter(medium)
-        parts = [setter.part(one, medium.width) for one in document.sections]
-        return _coloured(medium, [part for part in parts if part])
-
-
-def _coloured(medium: Medium, parts: Sequence[Lines]) -> str:
-    """Return the parts one below the other, with an empty line between them."""
-    console = Console(
-        file=StringIO(),
-        width=medium.width,
-        color_system=medium.colors,
-        force_terminal=medium.colors is not None,
-        no_color=medium.colors is None,
-        legacy_windows=False,
-        highlight=False,
-        markup=False,
-        emoji=False,
-    )
-    with console.capture() as capture:
-        for number, part in enumerate(parts):
-            for line in [Text(), *part] if number else part:
+        lines = _joined([setter.part(one, medium.width) for one in document.sections])
+        console = Console(
+            file=StringIO(),
+            width=medium.width,
+            color_system=medium.colors,
+            force_terminal=medium.colors is not None,
+            no_color=medium.colors is None,
+            legacy_windows=False,
+            highlight=False,
+            markup=False,
+            emoji=False,
+        )
+        with console.capture() as capture:
+            for line in lines:
                 line.rstrip()
                 console.print(line, no_wrap=True, overflow="ignore", crop=False)
-    return capture.get()
+        return capture.get()
 
 
+@frozen
 class _Setter:
     """Sets blocks as lines of characters, for one medium."""
 
-    def __init__(self, medium: Medium) -> None:
-        self._medium = medium
-        self._by_block: dict[type, Callable[..., Lines]] = {
-            Title: self._title,
-            Statement: self._statement,
-            KeyValues: self._key_values,
-            Table: self._table,
-            Bars: self._bars,
-            Figure: self._figure,
-            Notes: self._notes,
-            Equation: self._equation,
-            Links: self._links,
-        }
+    medium: Medium
 
     def part(self, one: Section | Beside, width: int) -> Lines:
         """Set a section, or sections beside each other where there is room."""
@@ -134,7 +118,8 @@ class _Setter:
             return self._section(one, width)
         left = self._stacked(one.left, width)
         room = width - max(map(len, left), default=0) - one.gap
-        if _least_width(one.right) <= room:
+        sketches = (b for own in one.right for b in own.blocks if isinstance(b, Figure))
+        if max((sketch.width for sketch in sketches), default=0) <= room:
             right = self._stacked(one.right, room)
             if max(map(len, right), default=0) <= room:
                 return _beside(left, right, one.gap)
@@ -149,22 +134,20 @@ class _Setter:
             heading = self._title(Title(section.heading), width)
         elif section.heading:
             heading = self._hanging(Text(), section.heading, width, _HEADING)
-        return [*heading, *(line for block in section.blocks for line in self._block(block, width))]
-
-    def _block(self, block: Block, width: int) -> Lines:
-        return self._by_block[type(block)](block, width)
+        parts = (self._BLOCKS[type(block)](self, block, width) for block in section.blocks)
+        return [*heading, *(line for part in parts for line in part)]
 
     # --- texts ------------------------------------------------------------------------------
 
     def _text(self, content: str, style: str = "") -> Text:
         """Return plain text that the medium can show: never read as markup."""
-        return Text(self._medium.fitted(content), style)
+        return Text(self.medium.fitted(content), style)
 
     def _hanging(self, label: Text, content: str, width: int, style: str = "") -> Lines:
         """Break a text into lines that begin to the right of its label."""
         pieces = [
             piece
-            for line in self._medium.fitted(content).split("\n")
+            for line in self.medium.fitted(content).split("\n")
             for piece in wrap(line, max(width - len(label), 8), break_on_hyphens=False) or [""]
         ]
         margins = [label] + [Text(" " * len(label))] * (len(pieces) - 1)
@@ -174,7 +157,7 @@ class _Setter:
         ]
 
     def _rule(self, width: int) -> Text:
-        return self._text((_RULE if self._medium.shows(_RULE) else "-") * width, "dim")
+        return self._text((_RULE if self.medium.shows(_RULE) else "-") * width, "dim")
 
     def _title(self, block: Title, width: int) -> Lines:
         return [*self._hanging(Text(), block.text, width, "bold"), self._rule(width)]
@@ -225,9 +208,9 @@ class _Setter:
     def _figure(self, block: Figure, width: int) -> Lines:
         if block.sketch is None:
             return []
-        drawn = block.sketch(width, self._medium.draws)
+        drawn = block.sketch(width, self.medium.draws)
         return [
-            Text.assemble(*((self._medium.fitted(text), STYLES[tone]) for text, tone in line))
+            Text.assemble(*((self.medium.fitted(text), STYLES[tone]) for text, tone in line))
             for line in drawn
         ]
 
@@ -237,18 +220,20 @@ class _Setter:
         if block.only_in_files:
             return []
         lines: Lines = []
-        for heading, part in broken(block, lambda table: self._fits(table, width)):
+        for heading, part in broken(
+            block, lambda table: _width(self._set_columns(table), table) <= width
+        ):
             table = self._set_columns(part)
-            part = _closer(table, part, width)
+            if _width(table, part) > width:  # closer to each other, then to the margin
+                part = replace(part, gap=1)
+            if _width(table, part) > width:
+                part = replace(part, indent=0)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
             lines += [Text()] if lines else []
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines
-
-    def _fits(self, block: Table, width: int) -> bool:
-        return _width(self._set_columns(block), block) <= width
 
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
@@ -328,7 +313,7 @@ class _Setter:
         return table
 
     def _bar(self, length: float, style: str = "cyan") -> Text:
-        if not self._medium.draws:
+        if not self.medium.draws:
             return Text("#" * round(length), style)
         eighths = round(8 * length)
         return Text("█" * (eighths // 8) + _EIGHTHS[eighths % 8].strip(), style)
@@ -346,6 +331,18 @@ class _Setter:
         for legend in block.legends:
             lines += self._hanging(Text("  "), legend, width, "dim")
         return lines
+
+    _BLOCKS: ClassVar[dict[type[Block], Callable[..., Lines]]] = {
+        Title: _title,
+        Statement: _statement,
+        KeyValues: _key_values,
+        Table: _table,
+        Bars: _bars,
+        Figure: _figure,
+        Notes: _notes,
+        Equation: _equation,
+        Links: _links,
+    }
 
 
 # --- lines beside lines ------------------------------------------------------------------------
@@ -397,17 +394,3 @@ def _style_of(cell: Text) -> str:
 def _width(columns: Sequence[Lines], block: Table) -> int:
     widths = [max(map(len, column), default=0) for column in columns]
     return block.indent + sum(widths) + block.gap * max(len(widths) - 1, 0)
-
-
-def _closer(columns: Sequence[Lines], block: Table, width: int) -> Table:
-    """Set the columns closer to each other, and to the margin, where there is no room."""
-    if _width(columns, block) > width:
-        block = replace(block, gap=1)
-    return replace(block, indent=0) if _width(columns, block) > width else block
-
-
-def _least_width(sections: Sequence[Section]) -> int:
-    """Return what room sketches need to stand beside something."""
-    return max(
-        (b.width for one in sections for b in one.blocks if isinstance(b, Figure)), default=0
-    )

@@ -15,8 +15,8 @@ from rolamento.words import ABSENT, said
 from rolamento.words.sentences.grease import BASE_OILS, FACTORS, LAWS, SETS, THICKENERS
 
 if TYPE_CHECKING:
+    from rolamento.grease.of_case import GreaseCase
     from rolamento.lubrication.oil_choice import OilChoice
-    from rolamento.tasks.grease import GreaseCase
 
 __all__ = ["grease_page", "grease_statement", "oil_page", "oil_section"]
 
@@ -229,7 +229,7 @@ def _nlgi(found: GreaseCase) -> str:
 
 
 def oil_page(found: OilChoice, title: str) -> doc.Document:
-    """Return the ISO viscosity grades for a wanted κ over a range of temperatures.
+    """Return the ISO viscosity grades for a required κ over a range of temperatures.
 
     Parameters
     ----------

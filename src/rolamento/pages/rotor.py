@@ -33,7 +33,7 @@ def vibration_page(found: MachineVibration) -> doc.Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.rotor.machine_vibration`.
+        Of a `rolamento.tasks.RotorRequest`.
     """
     title = found.machine.title or said("Machine without a title")
     sections = [

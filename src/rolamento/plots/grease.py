@@ -17,7 +17,7 @@ from rolamento.words import said
 from rolamento.words.sentences.grease import LAWS
 
 if TYPE_CHECKING:
-    from rolamento.tasks.grease import GreaseCase
+    from rolamento.grease.of_case import GreaseCase
 
 __all__ = ["grease_figure", "temperature_chart"]
 

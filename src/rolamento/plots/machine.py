@@ -463,7 +463,7 @@ def machine_over_figure(found: MachineCurve) -> Figure:
     Parameters
     ----------
     found
-        From `rolamento.tasks.machines.machine_over`.
+        Of a `rolamento.tasks.ShaftRequest`.
     """
     machine = found.first.solved
     with styled():

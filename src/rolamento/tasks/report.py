@@ -17,6 +17,7 @@ import numpy as np
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, case_of, is_designation, parse_case
+from rolamento.case.case import BearingLike
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Changes, Field, of_elements
 from rolamento.case.film_model import FilmModel
@@ -40,11 +41,11 @@ from rolamento.solved.notes import (
     usual_misalignments,
 )
 from rolamento.studies.names import setting_name
-from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension
 from rolamento.words import said
 
 if TYPE_CHECKING:
+    from rolamento.analysis.speed_limits import LimitName, SpeedLimit
     from rolamento.electrical import BearingElectrics
     from rolamento.heat import HeatBalance
     from rolamento.safety import StaticSafety
@@ -227,6 +228,27 @@ class CaseReport:
         return balance_of(self.case)
 
     @cached_property
+    def speed_limit(self) -> SpeedLimit | None:
+        """What the speed is held against: a maker's limit with its lubricant, else ISO 15312's.
+
+        None at rest, and where none is known.
+        """
+        from rolamento.analysis.speed_limits import speed_limits
+
+        try:
+            limits = {one.name: one for one in speed_limits(self.case).limits}
+        except InputError:  # different rolling elements have no limit together
+            return None
+        oil, film = self.case.lubricant, self.case.film
+        first: tuple[LimitName, ...] = ("catalogue", "oil_bath")
+        if oil is not None and oil.kind == "grease":
+            first = ("grease",)
+        elif film is not None and film.supply == "oil_air":
+            first = ("high_speed", *first)
+        known = (limits[name] for name in (*first, "reference") if name in limits)
+        return next((one for one in known if one.share > 0.0), None)
+
+    @cached_property
     def checksum(self) -> str:
         """SHA-256 of the normalised inputs."""
         return checksum_of(self.case)
@@ -402,7 +424,7 @@ def calculation_report(
     if not 1 <= len(bearings) <= MOST_CASES:
         raise InputError(
             said("must be 1 to {most} in one report", most=MOST_CASES),
-            field="CASE",
+            field="case",
             value=len(bearings),
         )
     read = [_read(one, changes) for one in bearings]

@@ -33,6 +33,7 @@ from rolamento.tasks.request import Request as UseCase
 from rolamento.tasks.severity import MACHINE, VibrationSeverity
 from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
 from rolamento.tasks.weibull import DemonstrationTest, LifeTestEvaluation
+from rolamento.validate import one_of
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
 from rolamento.web.limits import slow
@@ -276,14 +277,12 @@ def report_file(
         If a case is not valid, or there is no such kind of file.
     """
     from rolamento.case import Case
-    from rolamento.pages.report import report_page
-    from rolamento.tasks.report import calculation_report
+    from rolamento.tasks import ReportRequest
 
-    if form not in REPORTS:
-        rule = said("must be one of {known}", known=", ".join(REPORTS))
-        raise InputError(rule, field="format", value=form, example="pdf")
-    found = calculation_report([Case.from_mapping(one) for one in cases], head, names=names)
-    return _answer((report_page(found),), found.to_mapping(), "", form)
+    one_of(form, "format", REPORTS, "pdf")
+    asked = ReportRequest(case=[Case.from_mapping(one) for one in cases], **head, names=names)
+    found = asked.run()
+    return _answer((asked.page(found),), found.found.to_mapping(), "", form)
 
 
 def example_file(kind: str, name: str) -> dict[str, Any]:
@@ -295,9 +294,7 @@ def example_file(kind: str, name: str) -> dict[str, Any]:
         If there is no such example.
     """
     known = _EXAMPLES[kind]
-    if name not in known:
-        rule = said("must be one of {known}", known=", ".join(known))
-        raise InputError(rule, field="name", value=name)
+    one_of(name, "name", known)
     file = known[name].file
     if kind == "weibull":
         from rolamento.weibull import published_text
@@ -363,18 +360,16 @@ def _labelled(requests: Sequence[type[UseCase]], path: str = "", label: str = ""
         with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
             yield
     except InputError as error:
-        from rolamento.tasks.parameters import renamed
-
         field = error.source if error.source in labels else error.field
-        told = renamed(error, labels, "{}: {}".format)
+        spelled = error.spelled(labels, "{}: {}".format)
         source = "" if error.source in labels else label if error.source == path else error.source
         # an example that is written as in Python is of no use on a page
-        as_typed = field not in known or told.example == error.example
+        as_typed = field not in known or spelled.example == error.example
         raise type(error)(
-            _named(told.rule, path, label),
+            _named(spelled.rule, path, label),
             field=field,
             value=error.value,
-            example=told.example if as_typed else known[field].example,
+            example=spelled.example if as_typed else known[field].example,
             source=source,
             line=error.line,
         ) from None
@@ -550,9 +545,8 @@ def _typed(request: Request) -> tuple[dict[str, list[str]], str]:
         typed.setdefault(name, []).append(text)
     typed.pop("lang", None)
     form = typed.pop("format", [""])[-1]
-    if form and form not in _TYPES:
-        rule = said("must be one of {known}", known=", ".join(_TYPES))
-        raise InputError(rule, field="format", value=form, example="pdf")
+    if form:
+        one_of(form, "format", _TYPES, "pdf")
     return typed, form
 
 

@@ -102,7 +102,7 @@ def _refuse_unsound(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     for k in range(order.size):
         done[k] = room[k] + bearing != 0.0
         if done[k]:
-            out.code[order[k]] = status.INVALID_INPUT
+            out.number[order[k]] = status.INVALID_INPUT
 
 
 @inline_exact
@@ -127,7 +127,7 @@ def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     code INVALID_INPUT and is left alone. out: as `solve_some`.
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
     balls = batch.cosines.size
@@ -162,7 +162,7 @@ def propose_moving(
     judged one by one, where it settled (iterations > 0).
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
     if some.size == 0:
@@ -197,7 +197,7 @@ def solve_safely(
     has no start.
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -233,7 +233,7 @@ def solve_safely(
 def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
     """Solve cases one by one from a heavy load or from rest, step by step; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -258,7 +258,7 @@ def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: O
 def solve_past_edge(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
     """Balance rings without the balls that have left their groove; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -297,14 +297,14 @@ def solve_some(
     compiled or plain; begun: whether rings, balls and cages begin where they stand in out, beside
     the lanes.
     """
-    code, iterations = out.code, out.iterations
+    code, iterations = out.number, out.iterations
     done = np.zeros(len(order), np.bool_)
     if not fast:
         with np.errstate(invalid="ignore"):
             _refuse_unsound(batch, order, done, out)
         left, cautious = order[~done], None
         code[left], iterations[left] = status.NOT_CONVERGED, -1 if begun else 0
-        out.unsupported[left], out.safe[left] = -1, False
+        out.unsupported[left], out.safe_path[left] = -1, False
     elif moving:
         form(propose_moving)(batch, order, True, False, done, out)
         left = order[~done]
@@ -360,10 +360,10 @@ def _from_neighbour(
         work[which] -= own
         found.iterations[:] = 0
         form(solve_safely)(near, True, every, True, own, found)
-        done = found.code == status.CONVERGED
+        done = found.number == status.CONVERGED
     for whole, part in zip(out, found, strict=True):
         whole[some[done]] = part[done]
-    out.code[some] = status.NOT_CONVERGED
+    out.number[some] = status.NOT_CONVERGED
     from_there = which.copy()
     from_there[which] = done
     _try(form(solve_safely), batch, True, (order, from_there, work), out, False)

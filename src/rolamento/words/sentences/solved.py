@@ -589,14 +589,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "unsupported_one_sided": _unsupported_one_sided,
     "unsupported_axially": marked(
         "Nothing supports the inner ring toward -x: an angular contact bearing carries axial load"
-        " toward +x only, and a radial load needs an accompanying axial load (about fz tan(contact"
-        " angle)). Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
+        " toward +x only, and a radial load needs an accompanying axial load (about F_r tan α)."
+        " Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
         " duty.displacement.x."
     ),
     "unsupported_tandem": marked(
         "Nothing supports the inner ring toward {away}: all rows carry axial load toward {toward}"
-        " only, and a radial load needs an accompanying axial load in every row (about fz"
-        " tan(contact angle)). Reverse the load, add axial load (duty.load.fx), choose an"
+        " only, and a radial load needs an accompanying axial load in every row (about F_r"
+        " tan α). Reverse the load, add axial load (duty.load.fx), choose an"
         ' arrangement with opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
     ),
     "shoulder_lost": marked(
@@ -612,7 +612,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "springs_weak": marked(
         "Springs of {spring:.4 N} do not keep the balls of every row in place: in each row a radial"
-        " load needs an accompanying axial load (about fz tan(contact angle)), and a moment needs"
+        " load needs an accompanying axial load (about F_r tan α), and a moment needs"
         " more. Choose stronger springs, clamp the rings (bearing.preload.force), reduce the radial"
         " load or the moment, or hold the tilts."
     ),

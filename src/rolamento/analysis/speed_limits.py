@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
+from rolamento.case.case import BearingLike, name_of
 from rolamento.case.fields import Changes
 from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
@@ -50,7 +52,6 @@ from rolamento.speeds import (
     thermal_reference_speed,
 )
 from rolamento.speeds.permissible import LEAST_PRODUCT, HeatShares
-from rolamento.tasks.bearing import BearingLike, name_of
 from rolamento.types import of_balls
 from rolamento.words import Note, said
 
@@ -411,7 +412,7 @@ def _series_of_size(bore: float | None, outside: float | None, angular: bool) ->
     return ""
 
 
-@frozen
+@frozen(slots=False)
 class _Asked:
     case: Case
     boundary: Boundary
@@ -438,7 +439,7 @@ class _Asked:
         mean = self.boundary.mean_diameter
         return self.case.bearing.places[0].bearing.pitch_diameter if mean is None else mean
 
-    @property
+    @cached_property
     def viscosity(self) -> float | None:
         """ν at the lubricant's temperature, m²/s; None where the case does not say."""
         oil, warm = self.case.lubricant, self.case.lubricant_temperature
