@@ -15,19 +15,24 @@ from matplotlib.colors import to_rgb
 
 import rolamento
 from rolamento.charts import (
+    Arrows,
     Axis,
     Bars,
     Chart,
     Ellipses,
+    Field,
     Labels,
     Line,
     Look,
     Mark,
     Spread,
     Zone,
+    key,
     nothing,
+    once,
     race_look,
     series_look,
+    step_line,
 )
 from rolamento.charts.drawing import draw
 from rolamento.charts.frame import figure_of
@@ -44,7 +49,7 @@ EVERY = Chart(
     (
         Line(X, np.array([1.0, 2.0, np.nan, 4.0]), "line", Look("inner"), "both", (1, 1)),
         Line(X, 2.0 * X, "judged", Look("outer", "dash"), valid=HALF),
-        Line(X[:2], np.full(2, -np.inf), "none", Look("bad", mark="thin"), "points",
+        Line(X[:2], np.zeros(2), "none", Look("bad", mark="thin"), "points", height=0.0,
              texts=("why", "why not")),
         Spread(X, X, X + 1.0, "band", Look("inner2")),
         Ellipses(X[:2], X[:2], X[:2] + 0.1, X[:2] + 0.2, "ellipses", Look("outer2"), hatched=True),
@@ -57,6 +62,30 @@ EVERY = Chart(
     marks=(Mark(3.0, "limit", Look("bad")), Mark(1.5, "now", Look("ink"), "x")),
     zones=(Zone(2.0, np.inf, "much", "fair"),),
 )  # fmt: skip
+CELLS = Chart(
+    (
+        Field(X, X[:3], np.array([[1.0, -2.0, 3.0], [4.0, np.nan, 6.0]]), Axis("Gap", "µm"),
+              signed=True, missing="none"),
+        Arrows(X, X, np.array([1.0, 0.0, -1.0, 2.0]), np.zeros(4)),
+        Line(X, X, "path", Look("white", "dash")),
+        Line(*step_line(X, [1.0, 2.0, 1.0]), "steps", Look("inner"), filled=True),
+        Line(X, X, "sparse", Look("outer"), "sparse"),
+        key("key", Look("grey")),
+        Labels(X[:1], X[:1], ("Q_0",), ("on",), height=0.5),
+    ),
+    Axis("Load Q_0", "N", (0.0, 3.0)),
+    Axis("Gap", "µm", (0.0, 4.0)),
+    symbols=True,
+    over_names="all of them",
+)  # fmt: skip
+SPANS = Chart(
+    (
+        Bars(np.array([2.0]), (0,), "first", Look("inner", opacity=0.5), start=np.array([1.0])),
+        Bars(np.array([3.0]), (1,), "second", Look("outer", hollow=True), start=np.array([2.0])),
+    ),
+    Axis("Time", "h", (0.0, 4.0)),
+    Axis(categories=("first", "second")),
+)
 BARS = Chart(
     (
         Bars(np.array([1.0, np.inf]), (0, 1), "case A", Look("inner"), ("1", "∞"), (True, False)),
@@ -96,6 +125,41 @@ def test_names_are_the_same_on_paper_and_on_the_page() -> None:
         assert {text.get_text() for text in legend.get_texts()} == names
 
 
+def test_numbers_as_colours_are_in_both() -> None:
+    axes = draw(CELLS)
+    (mesh,) = (one for one in axes.collections if one.get_gid() == "colour-map")
+    shown = np.ma.filled(np.ma.asarray(mesh.get_array(), dtype=float), np.nan).ravel()
+    cells, arrows, *_ = picture(CELLS)["data"]
+    np.testing.assert_array_equal(shown, np.array(cells["marker"]["color"], dtype=float))
+    assert cells["x"] == [0.5, 1.5, 2.5] * 2
+    assert cells["marker"]["cmid"] == 0.0  # zero is in the middle of the colours
+    low, high = mesh.get_clim()
+    assert low == -high
+    assert arrows["marker"]["angle"] == [90.0, 0.0, -90.0, 90.0]
+    assert axes.get_xlabel() == "Load $Q_{0}$ (N)"
+    legend = axes.get_legend()
+    assert legend is not None
+    assert legend.get_title().get_text() == "all of them"
+    (path,) = (one for one in legend.get_lines() if one.get_label() == "path")
+    assert path.get_color() != "white"  # on white paper
+    assert trace(CELLS, "sparse")["marker"]["maxdisplayed"] < 10  # type: ignore[index]
+    words = next(one for one in picture(CELLS)["data"] if one["mode"] == "text")
+    assert words["y"] == [2.0]  # half way up
+
+
+def test_bars_begin_where_they_are_said_to() -> None:
+    assert trace(SPANS, "second")["base"] == [2.0]
+    assert trace(SPANS, "second")["x"] == [1.0]
+    assert picture(SPANS)["layout"]["barmode"] == "overlay"
+    drawn = [(bar.get_x(), bar.get_width()) for bar in draw(SPANS).patches]  # type: ignore[attr-defined]
+    assert drawn == [(1.0, 1.0), (2.0, 1.0)]
+
+
+def test_a_name_stands_once() -> None:
+    line = Line(X, X, "same", Look("inner"))
+    assert [one.name for one in once([line, line])] == ["same", ""]
+
+
 def test_what_does_not_hold_is_faint_and_meets_what_does() -> None:
     faint = [one for one in picture(EVERY)["data"] if "opacity" in one]
     assert [one["y"] for one in faint] == [[None, 2.0, 4.0, 6.0]]
@@ -130,6 +194,8 @@ def test_pictures_are_plain_json_and_say_what_they_say() -> None:
     assert json.loads(json.dumps(found, allow_nan=False)) == found
     assert found["summary"] == "The load rises."
     assert EVERY.alternative == "Load over speed. The load rises."
+    untitled = replace(EVERY, title="")
+    assert untitled.alternative == "Load (N) over Speed (rpm). The load rises."
 
 
 def test_panels_stand_beside_or_below_one_another() -> None:

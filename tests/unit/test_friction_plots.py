@@ -34,7 +34,7 @@ def test_map_shows_line_and_maximum_where_they_are(state: Solved) -> None:
     heaviest = int(np.argmax(patch.load[0]))
     a = 1e3 * patch.semi_major[0, heaviest]
     axes = slip_map(state, quantity="pressure_slip")
-    *lines, cross = axes.get_lines()
+    _edge, *lines, cross = axes.get_lines()
     expected = rolling_lines(patch, motion)[0, heaviest]
     drawn = [line.get_xdata()[0] for line in lines]  # type: ignore[index]
     np.testing.assert_allclose(drawn, a * expected[np.isfinite(expected)])

@@ -9,10 +9,11 @@ import pytest
 
 from rolamento import Case, load_case, override
 from rolamento.analysis import Analysis, analyse
+from rolamento.charts.drawing import draw
 from rolamento.document.terminal import terminal
 from rolamento.pages.friction import friction_page
 from rolamento.pages.friction_over import friction_over_page
-from rolamento.plots.friction import torque_by_model
+from rolamento.plots.friction import torque_chart
 from rolamento.studies.friction_curves import FrictionCurve, friction_curve, read_range
 
 
@@ -85,7 +86,7 @@ def test_models_of_lubricated_bearings_stand_in_the_curve(loaded: FrictionCurve)
 def test_page_and_figure_have_every_model(loaded: FrictionCurve) -> None:
     """Friction control stands in the figure of a load too, as in its table."""
     page = terminal(friction_over_page([loaded]))
-    names = [text.get_text() for text in torque_by_model([loaded]).get_legend().get_texts()]
+    names = [text.get_text() for text in draw(torque_chart([loaded])).get_legend().get_texts()]
     for name in ("Palmgren", "SKF"):
         assert name in page
         assert name in names

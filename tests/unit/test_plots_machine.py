@@ -162,7 +162,7 @@ def test_every_example_is_drawn(path: Path) -> None:
     solved = ro.shaft(path)
     figure = machine_figure(solved)
     figure.draw_without_rendering()
-    drawing, *lower = figure.axes[:4]
+    drawing, *lower = figure.axes[:5]
     machine = solved.machine
     sections = sum(len(shaft.sections) for shaft in machine.shafts)
     assert sum(isinstance(p, Polygon) for p in drawing.patches) == 2 * sections
@@ -185,15 +185,16 @@ def test_the_line_of_deflection_is_the_result() -> None:
     lines = {line.get_label(): line for line in figure.axes[1].lines}
     np.testing.assert_allclose(lines["z"].get_ydata(), 1e6 * one.displacement[2, :, 2])
     np.testing.assert_allclose(lines["z"].get_xdata(), 1e3 * one.position)
-    moments = figure.axes[2].lines[0].get_ydata()
+    moments, forces = (figure.axes[panel].lines[0].get_ydata() for panel in (2, 3))
     np.testing.assert_allclose(moments, one.bending_moment[2].ravel())
+    np.testing.assert_allclose(forces, one.shear_force[2].ravel())
 
 
 def test_without_equilibrium_the_machine_is_drawn_all_the_same() -> None:
     """And the panels below say why they are empty."""
     machine = ro.load_machine(EXAMPLES / "gear_shaft.toml", ["bearings.locating.designation=NU308"])
     figure = machine_figure(ro.shaft(machine))
-    assert [axes.texts[0].get_text() for axes in figure.axes[1:4]] == ["no equilibrium"] * 3
+    assert [axes.texts[0].get_text() for axes in figure.axes[1:]] == ["no equilibrium"] * 4
 
 
 def test_vibration_is_drawn() -> None:

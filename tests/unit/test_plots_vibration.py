@@ -18,8 +18,8 @@ from rolamento.plots.vibration import (
     diagnosis_figure,
     envelope_figure,
     envelope_lines,
+    kurtogram_chart,
     kurtogram_figure,
-    kurtogram_map,
     line_threshold,
     waveform,
     waveform_figure,
@@ -138,11 +138,10 @@ class TestKurtogram:
     def test_frame_is_about_the_resonance(self) -> None:
         signal = outer()[0]
         figure = kurtogram_figure(signal, band=(3000.0, 4500.0), title="x")
-        frames = [p for p in figure.axes[0].patches if p.get_label().startswith("stands out")]
-        low = frames[0].get_x()  # type: ignore[attr-defined]
-        high = low + frames[0].get_width()  # type: ignore[attr-defined]
-        assert low < 3500.0 < high
-        assert len(figure.axes[0].patches) == 2
+        best, fault = figure.axes[0].get_lines()
+        assert str(best.get_label()).startswith("stands out")
+        assert np.min(best.get_xdata()) < 3500.0 < np.max(best.get_xdata())
+        assert np.min(fault.get_xdata()) == 3000.0
 
     def test_columns_end_at_half_the_rate(self) -> None:
         axes = kurtogram_figure(outer()[0]).axes[0]
@@ -156,7 +155,7 @@ class TestKurtogram:
         )
 
     def test_none_is_an_empty_frame(self) -> None:
-        assert len(kurtogram_map(None).images) == 0
+        assert not kurtogram_chart(None).series
 
 
 class TestWaveform:

@@ -363,7 +363,7 @@ def test_formulas_speak_portuguese() -> None:
 class Reader(HTMLParser):
     """Checks that every element is closed in turn, and gathers what the page points to."""
 
-    VOID = frozenset({"meta", "img", "br"})
+    VOID = frozenset({"meta", "img", "br", "link"})
 
     def __init__(self) -> None:
         super().__init__()

@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from rolamento.charts.drawing import draw
 from rolamento.clearance import fit_wear
 from rolamento.cli.app import app
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.trend import trend_page
-from rolamento.plots.trend import trend_figure, trend_lines
+from rolamento.plots.trend import trend_chart, trend_figure
 from rolamento.tasks.weibull import TrendEvaluation, TrendStudy
 from rolamento.weibull import (
     PUBLISHED_TRENDS,
@@ -135,7 +136,7 @@ def test_constants_of_the_page_are_those_of_the_fit() -> None:
 def test_the_figure_shows_points_law_and_rejected() -> None:
     trend = published_trend("campanha_2008_clearance")
     fits = wear_of_each(trend)
-    axes = trend_lines(trend, fits=fits)
+    axes = draw(trend_chart(trend, fits=fits))
     points, law = axes.get_lines()[:2]
     np.testing.assert_array_equal(points.get_ydata(), [27.0, 36.0, 41.0, 45.0, 50.0])
     x, y = np.asarray(law.get_xdata()), np.asarray(law.get_ydata())

@@ -1,25 +1,37 @@
-"""How a figure of a reproduction is drawn, from nothing but its columns."""
+"""How a figure of a reproduction is drawn, from nothing but its columns: as charts."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import partial
 from io import BytesIO
 from typing import Any, Final
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure as Picture
-from matplotlib.lines import Line2D
-from matplotlib.patches import Circle
-from matplotlib.ticker import Formatter, MaxNLocator, MultipleLocator
 from PIL import Image
 
-from rolamento.charts.style import INNER, OUTER, new_figure, new_stacked_figure, series, styled
-from rolamento.words import manner
+from rolamento.charts import (
+    Arrows,
+    Axis,
+    Chart,
+    Ellipses,
+    Field,
+    Labels,
+    Look,
+    Mark,
+    key,
+    series_look,
+)
+from rolamento.charts import Line as Drawn
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import panels
+from rolamento.charts.record import Side
+from rolamento.charts.style import new_figure, styled
+from rolamento.charts.texts import mathematical
+from rolamento.document.picture import picture_bytes
 from rolamento_reproductions.record import (
-    Curves,
     Ending,
     Figure,
     Floats,
@@ -31,369 +43,220 @@ from rolamento_reproductions.record import (
 )
 from rolamento_reproductions.text import localised
 
-_INDEXED: Final = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zα-ω])_([A-Za-z0-9]+)(?![^\W²³])")
-_LONE_SYMBOL: Final = re.compile(r"(?<![$\w{}])([α-ωQ])(?![\w$}])")
-
-
-class Numbers(Formatter):
-    """Numbers of an axis: as many decimals as its ticks need, in the manner of a language."""
-
-    def __init__(self, ticked: Axis) -> None:
-        self._ticked = ticked
-        self._manner = manner()
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        """Return how a number stands at the axis."""
-        places: Floats = np.asarray(self._ticked.get_majorticklocs(), dtype=np.float64)
-        decimals = next(
-            (n for n in range(7) if np.allclose(places, np.round(places, n), rtol=0, atol=1e-9)), 7
-        )
-        value = 0.0 if round(x, decimals) == 0.0 else x
-        return self._manner.fixed(value, decimals)
-
-
-def titled(title: str, unit: str) -> str:
-    """Return an axis's title with its unit."""
-    return f"{mathematical(title)} ({unit})" if unit else mathematical(title)
-
-
-def mathematical(text: str) -> str:
-    """Set symbols as mathematics: indices below, letters that stand for quantities slanted."""
-    indexed = _INDEXED.sub(
-        lambda found: (
-            f"${found[1]}_{{{found[2]}}}$"
-            if len(found[2]) == 1
-            else f"${found[1]}_{{\\mathrm{{{found[2]}}}}}$"
-        ),
-        text,
-    )
-    return _LONE_SYMBOL.sub(r"$\1$", indexed)
-
-
-_MAP_LEVELS: Final = 14
-_SIGNED: Final = "RdBu_r"
-_UNSIGNED: Final = "cividis"
-_ARROWS: Final = (9, 5)
-"""Number of panels, across and along."""
-_MAP_INK: Final = "#202020"
-_MAP_HEIGHT: Final = 53.0
-_ARROW_REACH: Final = (0.6, 2.0 / 3.0)
-"""Part of the grid that arrows cover, likewise."""
-
-
-def draw_maps(figure: Figure, picture: Maps) -> Picture:
-    """Draw the maps one below the other over the same ellipse."""
-    drawing, frames = new_stacked_figure(
-        len(picture.maps), height=8.0 + _MAP_HEIGHT * len(picture.maps)
-    )
-    for place, (one, axes) in enumerate(zip(picture.maps, frames, strict=True)):
-        _draw_map(figure, picture, one, axes)
-        last = place == len(frames) - 1
-        _label_map(figure, picture, one, axes, last=last)
-    return drawing
-
-
-def _gridded(figure: Figure, name: str, count: int) -> Floats:
-    return figure.column(name).numbers.reshape(count, -1)
-
-
-def _draw_map(figure: Figure, picture: Maps, one: Map, axes: Axes) -> None:
-    x, y, value = (_gridded(figure, n, picture.count) for n in (picture.x, picture.y, one.value))
-    low, high = float(value.min()), float(value.max())
-    parted = one.signed and low < 0.0 < high
-    if parted:
-        low, high = -max(-low, high), max(-low, high)
-    levels = MaxNLocator(_MAP_LEVELS, symmetric=parted).tick_values(low, high)
-    colours = _SIGNED if parted else _UNSIGNED
-    filled = axes.contourf(x, y, value, levels=levels, cmap=colours)
-    if parted:
-        axes.contour(x, y, value, levels=[0.0], colors=_MAP_INK, linestyles="--", linewidths=1.2)
-    for edge in (y[:, 0], y[:, -1]):
-        axes.plot(x[:, 0], edge, color=_MAP_INK, linewidth=1.0)
-    if one.arrows is not None:
-        _draw_arrows(figure, picture, one.arrows, axes)
-    bar = axes.figure.colorbar(filled, ax=axes, aspect=14.0, pad=0.02)
-    bar.locator = MaxNLocator(6)
-    bar.update_ticks()
-    bar.ax.yaxis.set_major_formatter(Numbers(bar.ax.yaxis))
-    bar.set_label(figure.column(one.value).unit)
-
-
-def _draw_arrows(figure: Figure, picture: Maps, names: tuple[str, str], axes: Axes) -> None:
-    """Show the direction at points of the grid, all arrows of one length."""
-    x, y, across, along = (
-        _gridded(figure, n, picture.count) for n in (picture.x, picture.y, *names)
-    )
-    rows, columns = (
-        np.linspace((1.0 - reach) * (n - 1) / 2, (1.0 + reach) * (n - 1) / 2, k).round().astype(int)
-        for n, k, reach in zip(x.shape, _ARROWS, _ARROW_REACH, strict=True)
-    )
-    at: Any = np.ix_(rows, columns)
-    size = np.maximum(np.hypot(across[at], along[at]), np.finfo(np.float64).tiny)
-    axes.quiver(
-        x[at],
-        y[at],
-        across[at] / size,
-        along[at] / size,
-        color="white",
-        edgecolor=_MAP_INK,
-        linewidth=0.4,
-        scale=26.0,
-        width=0.005,
-        pivot="middle",
-        zorder=4.0,
-    )
-
-
-def _label_map(figure: Figure, picture: Maps, one: Map, axes: Axes, *, last: bool) -> None:
-    x, y = figure.column(picture.x), figure.column(picture.y)
-    axes.set_title(titled(str(one.title), ""), loc="left")
-    axes.set_ylabel(titled(str(y.title), y.unit))
-    if last:
-        axes.set_xlabel(titled(str(x.title), x.unit))
-    axes.set_xlim(1.04 * float(x.numbers.min()), 1.04 * float(x.numbers.max()))
-    axes.set_ylim(1.1 * float(y.numbers.min()), 1.1 * float(y.numbers.max()))
-    axes.grid(False)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(Numbers(axis))
-
-
-_METADATA: Final[dict[str, dict[str, Any]]] = {
-    "png": {"Software": None},
-    "svg": {"Date": None, "Creator": "Rolamento"},
-}
-"""Nothing that reveals when a picture was drawn, or with which release."""
 _COLOURS: Final = 128
 _DOTS: Final = 200.0
-_MAX_LEGEND_COLUMNS: Final = 5
-"""Height of a legend over a single panel."""
-_INK: Final = "#303030"
 _TURN: Final = 360.0
 _SEEN: Final = 0.5 * _TURN + 5.0
 _ROUNDING: Final = 1e-6
 _NEAR_ZERO: Final = 0.02
 """Part of the x axis up to which it begins at zero."""
-_SPARSE: Final = 0.18
-"""Distance of markers over the axis's length, on a line that nothing else distinguishes."""
+_ABREAST: Final = 3
+"""Names that stand beside each other over a frame, about."""
+_MAP_LEVELS: Final = 20
+_MAP_HEIGHT: Final = 53.0
+_ARROWS: Final = (9, 5)
+"""Their number, across and along."""
+_ARROW_REACH: Final = (0.6, 2.0 / 3.0)
+"""Part of the grid that arrows cover, likewise."""
+_INK: Final = Look("ink", width=0.7)
 
 
 def rendered(figure: Figure, endings: Sequence[Ending]) -> dict[Ending, bytes]:
     """Draw a figure and return the content of its files; the same figure, the same bytes."""
+    picture = drawn(figure)
     contents: dict[Ending, bytes] = {}
-    with styled():
-        picture = drawn(figure)
-        for ending in endings:
-            content = BytesIO()
-            picture.savefig(content, format=ending, metadata=dict(_METADATA[ending]))
-            contents[ending] = content.getvalue() if ending == "svg" else _fewer_colours(content)
+    for ending in endings:
+        content = picture_bytes(picture, ending)
+        contents[ending] = content if ending == "svg" else _fewer_colours(content)
     return contents
 
 
-def _fewer_colours(content: BytesIO) -> bytes:
+def _fewer_colours(content: bytes) -> bytes:
     """Keep as many colours as lines on white paper need: a third of the size."""
     small = BytesIO()
-    with Image.open(content) as image:
-        dots = image.info.get("dpi", (_DOTS, _DOTS))
+    with Image.open(BytesIO(content)) as image:
         reduced = image.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE)
-        reduced.save(small, "png", optimize=True, dpi=dots)
+        reduced.save(small, "png", optimize=True, dpi=(_DOTS, _DOTS))
     return small.getvalue()
 
 
 def drawn(figure: Figure) -> Picture:
-    """Draw a figure."""
+    """Draw a figure: panels of lines side by side, maps one below the other."""
+    charts, shown = charts_of(figure), figure.picture
     with styled():
-        if isinstance(figure.picture, Positions):
-            return _positions(figure, figure.picture)
-        if isinstance(figure.picture, Maps):
-            return draw_maps(figure, figure.picture)
-        return _curves(figure, figure.picture)
+        if isinstance(shown, Maps):
+            picture = panels(*(partial(draw, one) for one in charts),
+                             height=8.0 + _MAP_HEIGHT * len(charts))  # fmt: skip
+            for axes, one in zip(picture.axes, charts, strict=False):
+                axes.set_title(mathematical(one.title), loc="left")
+            return picture
+        if isinstance(shown, Positions):
+            picture, axes = new_figure(width=110.0, height=112.0)
+            draw(charts[0], axes)
+            return picture
+        names = max(sum(bool(line.name) for line in one.lines) for one in charts)
+        rows = -(-names // (_ABREAST if len(charts) == 1 else 2))
+        picture, alone = new_figure(height=82.0 + 5.0 * rows)
+        alone.remove()
+        every = picture.subplots(1, len(charts), sharey=True, squeeze=False)[0]
+        for chart, axes in zip(charts, every, strict=True):
+            draw(chart, axes)
+            if axes is not every[0]:
+                axes.set_ylabel("")
+    return picture
+
+
+def charts_of(figure: Figure) -> tuple[Chart, ...]:
+    """Return the charts of a figure: a panel each, or a map."""
+    shown = figure.picture
+    if isinstance(shown, Positions):
+        return (_places_of_balls(figure, shown),)
+    if isinstance(shown, Maps):
+        return tuple(_map(figure, shown, one) for one in shown.maps)
+    return tuple(_panel(figure, panel) for panel in shown.panels)
 
 
 # --- lines ------------------------------------------------------------------
 
 
-def _curves(figure: Figure, curves: Curves) -> Picture:
-    picture, axes = new_figure(height=82.0 + 5.0 * _legend_rows(curves))
-    axes.remove()
-    every = picture.subplots(1, len(curves.panels), sharey=True, squeeze=False)[0]
-    for panel, place in zip(curves.panels, every, strict=True):
-        _draw_panel(figure, panel, place, first=place is every[0])
-    if len(curves.panels) == 1:
-        _add_legend(curves.panels[0], picture)
-    else:
-        for panel, place in zip(curves.panels, every, strict=True):
-            _add_legend(panel, place)
-    return picture
-
-
-def _draw_panel(figure: Figure, panel: Panel, axes: Axes, *, first: bool) -> None:
+def _panel(figure: Figure, panel: Panel) -> Chart:
     x = figure.column(panel.x)
-    for line in panel.lines:
-        _draw_line(figure, panel, line, axes)
-    axes.set_xlabel(titled(str(x.title), x.unit))
-    if first:
-        axes.set_ylabel(titled(str(panel.y_title), panel.y_unit))
     low, high = float(np.nanmin(x.numbers)), float(np.nanmax(x.numbers))
     if panel.around:
         low, high = -0.5 * _TURN, 0.5 * _TURN
     if 0.0 < low < _NEAR_ZERO * high:
         low = 0.0
-    axes.set_xlim(low, high)
-    if panel.tick is not None:
-        axes.xaxis.set_major_locator(MultipleLocator(panel.tick))
-    drawn = np.concatenate([figure.column(line.y).numbers for line in panel.lines])
-    drawn = drawn[np.isfinite(drawn)]
-    if not panel.from_zero:
-        axes.margins(y=0.06)
-    elif float(drawn.min(initial=0.0)) >= -_ROUNDING * float(np.abs(drawn).max(initial=0.0)):
-        axes.set_ylim(bottom=0.0)
-    else:
-        axes.axhline(0.0, color=_INK, linewidth=0.8, zorder=1.5)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(Numbers(axis))
-    for axis, ticks in ((axes.xaxis, panel.x_ticks), (axes.yaxis, panel.y_ticks)):
-        if ticks:
-            words = [localised(word) for _, word in ticks]
-            axis.set_ticks([place for place, _ in ticks], words)
+    upright = np.concatenate([figure.column(line.y).numbers for line in panel.lines])
+    upright = upright[np.isfinite(upright)]
+    foot = -_ROUNDING * float(np.abs(upright).max(initial=0.0))
+    above = float(upright.min(initial=0.0)) >= foot
+    keys = [
+        key(str(name), Look("ink", dash))
+        for name, dash in zip(panel.keys or (), ("solid", "dash"), strict=False)
+    ]
+    lines = [one for line in panel.lines for one in _line(figure, panel, line)]
+    x_ticks, y_ticks = (
+        tuple((place, localised(word)) for place, word in ticks)
+        for ticks in (panel.x_ticks, panel.y_ticks)
+    )
+    return Chart(
+        (*keys, *lines),
+        Axis(str(x.title), x.unit or "–", (low, high), ticks=x_ticks, step=panel.tick or 0.0),
+        Axis(str(panel.y_title), panel.y_unit or "–", zero=panel.from_zero and above,
+             ticks=y_ticks),
+        title=str(figure.caption),
+        marks=(Mark(0.0, "", Look("ink", width=0.55)),) * (panel.from_zero and not above),
+        symbols=True,
+    )  # fmt: skip
 
 
-def _draw_line(figure: Figure, panel: Panel, line: Line, axes: Axes) -> None:
+def _line(figure: Figure, panel: Panel, line: Line) -> Iterator[Drawn]:
+    """Yield a line, and the marks on it."""
     x, y = figure.column(panel.x).numbers, figure.column(line.y).numbers
-    rows = _rows_of_line(figure, line)
-    x, y = x[rows], y[rows]
-    keywords = _look(line)
+    rows = _rows_of(figure, line)
+    x, y, name, look = x[rows], y[rows], str(line.label or ""), series_look(line.look)
+    if line.dashed is not None:
+        look = Look(look.color, "dash" if line.dashed else "solid", look.mark)
     if line.points:
-        axes.plot(x, y, **keywords, clip_on=False, zorder=3.0)
-        return
-    if line.marked is None:
-        marker = {} if line.dashed is None else _sparse_marker(line)
-        axes.plot(x, y, **keywords, **marker)
-        return
-    at = np.isfinite(figure.column(line.marked).numbers[rows])
-    if panel.around:
-        x, y, at = np.concatenate([x - _TURN, x, x + _TURN]), np.tile(y, 3), np.tile(at, 3)
-        seen = np.abs(x) <= _SEEN
-        x, y, at = x[seen], y[seen], at[seen]
-    axes.plot(x, y, **{**keywords, "linewidth": 1.0})
-    at &= np.abs(x) <= 0.5 * _TURN + _ROUNDING
-    marker = {"linestyle": "none", "marker": series(line.look).marker, "clip_on": False}
-    axes.plot(x[at], y[at], color=keywords["color"], zorder=3.0, **marker)
+        yield Drawn(x, y, name, replace(look, width=0.75), "points")
+    elif line.marked is None:
+        yield Drawn(x, y, name, look, "line" if line.dashed is None else "sparse")
+    else:
+        at = np.isfinite(figure.column(line.marked).numbers[rows])
+        if panel.around:
+            x, y, at = np.concatenate([x - _TURN, x, x + _TURN]), np.tile(y, 3), np.tile(at, 3)
+            seen = np.abs(x) <= _SEEN
+            x, y, at = x[seen], y[seen], at[seen]
+        if name:
+            yield key(name, look, "both")
+        yield Drawn(x, y, "", Look(look.color, look.dash, width=0.7))
+        at &= np.abs(x) <= 0.5 * _TURN + _ROUNDING
+        yield Drawn(x[at], y[at], "", Look(look.color, mark=look.mark, width=0.7), "points")
 
 
-def _rows_of_line(figure: Figure, line: Line) -> Any:
+def _rows_of(figure: Figure, line: Line) -> Any:
     if line.by is None:
         return slice(None)
     name, value = line.by
     return np.isclose(figure.column(name).numbers, value, rtol=1e-12, atol=1e-9)
 
 
-def _look(line: Line) -> dict[str, Any]:
-    style = series(line.look).keywords(markers=line.points)
-    if line.points:
-        style["linestyle"] = "none"
-    elif line.dashed is not None:
-        style["linestyle"] = "--" if line.dashed else "-"
-    return style
+# --- maps -------------------------------------------------------------------
 
 
-def _sparse_marker(line: Line) -> dict[str, Any]:
-    """Mark a line here and there, each of a family at other places."""
-    start = 0.03 + 0.03 * line.look
-    return {"marker": series(line.look).marker, "markevery": (start, _SPARSE), "markersize": 3.5}
-
-
-# --- legends ----------------------------------------------------------------
-
-
-def _legend_rows(curves: Curves) -> int:
-    """Return how many rows the highest legend takes."""
-    entries = max(
-        sum(line.label is not None for line in panel.lines) + 2 * (panel.keys is not None)
-        for panel in curves.panels
-    )
-    columns = _legend_columns(curves.panels[0], entries) if len(curves.panels) == 1 else 2
-    return -(-entries // max(columns, 1))
-
-
-def _legend_columns(panel: Panel, entries: int) -> int:
-    """Return in how many columns the legend over a single panel stands."""
-    if panel.legend_columns is not None:
-        return panel.legend_columns
-    return entries if entries <= _MAX_LEGEND_COLUMNS else _MAX_LEGEND_COLUMNS - 1
-
-
-def _add_legend(panel: Panel, place: Picture | Axes) -> None:
-    """Put the legend over the frame, where no data are; a line alone needs none."""
-    handles = _legend_entries(panel)
-    if not handles:
-        return
-    if isinstance(place, Picture):
-        columns = _legend_columns(panel, len(handles))
-        place.legend(handles=handles, loc="outside upper center", ncols=columns, handlelength=2.6)
-    else:
-        above = (0.0, 1.0)
-        place.legend(
-            handles=handles, loc="lower left", ncols=2, handlelength=2.6, bbox_to_anchor=above
-        )
-
-
-def _legend_entries(panel: Panel) -> list[Line2D]:
-    handles = [
-        _legend_entry(str(key), {"color": _INK, "linestyle": style})
-        for key, style in zip(panel.keys or (), ("-", "--"), strict=False)
+def _map(figure: Figure, maps: Maps, one: Map) -> Chart:
+    """Return a field over an ellipse, its edge, where it is zero, and directions."""
+    grid = partial(_gridded, figure, maps)
+    x, y, value = grid(maps.x), grid(maps.y), grid(one.value)
+    across, upright, scale = (figure.column(name) for name in (maps.x, maps.y, one.value))
+    series: list[Field | Drawn | Arrows] = [
+        Field(x, y, value, Axis(label=scale.unit), _MAP_LEVELS, one.signed)
     ]
-    for line in panel.lines:
-        if line.label is None:
-            continue
-        look = _look(line)
-        if line.marked is not None or line.dashed is not None:
-            look["marker"] = series(line.look).marker
-        handles.append(_legend_entry(str(line.label), look))
-    return handles
+    if one.signed and value.min() < 0.0 < value.max():
+        from contourpy import contour_generator
+
+        zero = contour_generator(x, y, value).lines(0.0)
+        lines = (np.asarray(line).T for line in zero)
+        series += [Drawn(line[0], line[1], "", Look("ink", "dash", width=0.85)) for line in lines]
+    series += [Drawn(x[:, 0], y[:, edge], "", _INK) for edge in (0, -1)]
+    if one.arrows is not None:
+        places = (
+            np.linspace((1.0 - reach) * (n - 1) / 2, (1.0 + reach) * (n - 1) / 2, k)
+            for n, k, reach in zip(x.shape, _ARROWS, _ARROW_REACH, strict=True)
+        )
+        at: Any = np.ix_(*(place.round().astype(int) for place in places))
+        series.append(Arrows(*(part[at].ravel() for part in (x, y, *map(grid, one.arrows)))))
+    return Chart(
+        tuple(series),
+        Axis(str(across.title), across.unit, (1.04 * float(x.min()), 1.04 * float(x.max()))),
+        Axis(str(upright.title), upright.unit, (1.1 * float(y.min()), 1.1 * float(y.max()))),
+        title=str(one.title),
+        symbols=True,
+    )
 
 
-def _legend_entry(label: str, look: dict[str, Any]) -> Line2D:
-    return Line2D([], [], label=mathematical(label), **look)
+def _gridded(figure: Figure, maps: Maps, name: str) -> Floats:
+    return figure.column(name).numbers.reshape(maps.count, -1)
 
 
 # --- balls in their places --------------------------------------------------
 
 
-def _positions(figure: Figure, picture: Positions) -> Picture:
-    drawing, axes = new_figure(width=110.0, height=112.0)
-    radius, ball = 0.5 * picture.pitch_diameter, 0.5 * picture.ball_diameter
-    axes.set_aspect("equal")
-    axes.set_axis_off()
-    outline: dict[str, Any] = {"fill": False, "edgecolor": _INK, "linewidth": 1.0}
-    for race, style in ((radius - ball, INNER), (radius + ball, OUTER)):
-        axes.add_patch(Circle((0.0, 0.0), race, fill=False, edgecolor=style.color, linewidth=1.6))
-    axes.add_patch(Circle((0.0, 0.0), radius, **{**outline, "linestyle": ":", "linewidth": 0.7}))
-    for number, azimuth in zip(
-        figure.column("ball").numbers, figure.column("azimuth").numbers, strict=True
-    ):
-        _draw_ball(axes, int(number), float(azimuth), radius, ball)
-    reach = radius + 2.7 * ball
-    _draw_axis_arrow(axes, (0.0, 0.45 * radius), "$z$, $F_{z}$", (0.06 * radius, -0.02 * radius))
-    _draw_axis_arrow(axes, (0.45 * radius, 0.0), "$y$", (0.0, 0.07 * radius))
-    axes.set_xlim(-reach, reach)
-    axes.set_ylim(-reach, reach)
-    return drawing
-
-
-def _draw_ball(axes: Axes, number: int, azimuth: float, radius: float, ball: float) -> None:
-    # seen from +x: zero at the top, growing to the right, toward +y
+def _places_of_balls(figure: Figure, shown: Positions) -> Chart:
+    """Return balls between the races, seen from +x: zero at the top, growing toward +y."""
+    radius, ball = 0.5 * shown.pitch_diameter, 0.5 * shown.ball_diameter
+    turn = np.linspace(0.0, 2.0 * np.pi, 181)
+    circles = (
+        Drawn(size * np.sin(turn), size * np.cos(turn), "", look)
+        for size, look in (
+            (radius - ball, Look("inner", width=1.15)),
+            (radius + ball, Look("outer", width=1.15)),
+            (radius, Look("ink", "dot", width=0.5)),
+        )
+    )
+    numbers, azimuth = (figure.column(name).numbers for name in ("ball", "azimuth"))
     sine, cosine = np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth))
-    place = radius * sine, radius * cosine
-    axes.add_patch(Circle(place, ball, facecolor="#E8E8E8", edgecolor=_INK, linewidth=1.0))
-    axes.text(*place, str(number), ha="center", va="center", fontsize=9.0)
-    far = radius + 2.0 * ball
-    text = localised(f"{azimuth:.1f}".removesuffix(".0")) + "°"
-    axes.text(far * sine, far * cosine, text, ha="center", va="center", fontsize=7.5)
-
-
-def _draw_axis_arrow(
-    axes: Axes, tip: tuple[float, float], label: str, offset: tuple[float, float]
-) -> None:
-    arrow = {"arrowstyle": "-|>", "color": _INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", tip, (0.0, 0.0), arrowprops=arrow)
-    axes.text(tip[0] + offset[0], tip[1] + offset[1], label, ha="left", va="bottom")
+    wide, far = np.full(len(azimuth), ball), radius + 2.0 * ball
+    sides: list[Side] = ["on"] * len(azimuth)
+    on = tuple(sides)
+    angles = (localised(f"{angle:.1f}".removesuffix(".0")) + "°" for angle in azimuth)
+    tip, foot = np.array([0.45 * radius]), np.zeros(1)
+    reach = (-radius - 2.7 * ball, radius + 2.7 * ball)
+    return Chart(
+        (
+            *circles,
+            Ellipses(radius * sine, radius * cosine, wide, wide, "", Look("grey"), filled=False),
+            Labels(radius * sine, radius * cosine, tuple(f"{n:.0f}" for n in numbers), on),
+            Labels(far * sine, far * cosine, tuple(angles), on),
+            Drawn(np.append(foot, foot), np.append(foot, tip), "", _INK),
+            Drawn(np.append(foot, tip), np.append(foot, foot), "", _INK),
+            Drawn(foot, tip, "", Look("ink", mark="triangle-up"), "points"),
+            Drawn(tip, foot, "", Look("ink", mark="triangle-right"), "points"),
+            Labels(np.append(foot, tip), np.append(tip, foot), ("z, F_z", "y"), ("right", "above")),
+        ),
+        Axis(limits=reach, hidden=True),
+        Axis(limits=reach, hidden=True, equal=True),
+        title=str(figure.caption),
+        outlines=True,
+        symbols=True,
+    )

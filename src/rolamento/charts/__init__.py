@@ -6,19 +6,25 @@ A function of `contact_charts` and its neighbours takes results and returns a `C
 
 from rolamento.charts.palette import Look, case_look, race_look, series_look
 from rolamento.charts.record import (
+    Arrows,
     Axis,
     Bars,
     Chart,
     Ellipses,
+    Field,
     Labels,
     Line,
     Mark,
     Spread,
     Zone,
+    key,
     nothing,
+    once,
+    step_line,
 )
 
 __all__ = [
-    "Axis", "Bars", "Chart", "Ellipses", "Labels", "Line", "Look", "Mark", "Spread", "Zone",
-    "case_look", "nothing", "race_look", "series_look",
+    "Arrows", "Axis", "Bars", "Chart", "Ellipses", "Field", "Labels", "Line", "Look", "Mark",
+    "Spread", "Zone", "case_look", "key", "nothing", "once", "race_look", "series_look",
+    "step_line",
 ]  # fmt: skip

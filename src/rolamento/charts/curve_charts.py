@@ -75,7 +75,7 @@ def _one_curve(one: Curve, place: int, x: Floats, unit: ReadableUnit, *, many: b
         why = tuple(reason(str(code)) for code in one.status[missing])
         name = no_result_count(count, len(missing))
         lines.append(
-            Line(x[missing], np.full(count, -np.inf), name, Look("bad", mark="thin"), "points",
+            Line(x[missing], np.zeros(count), name, Look("bad", mark="thin"), "points", height=0.0,
                  texts=why)
         )  # fmt: skip
     if one.present is not None and not missing[one.present]:

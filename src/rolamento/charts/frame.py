@@ -11,11 +11,19 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
+from matplotlib.ticker import (
+    FixedLocator,
+    FuncFormatter,
+    LogLocator,
+    MaxNLocator,
+    NullFormatter,
+    NullLocator,
+    ScalarFormatter,
+)
 
 from rolamento.charts.palette import LIGHT
 from rolamento.charts.style import new_stacked_figure, styled
-from rolamento.charts.texts import marked_number, numbers, shown_text
+from rolamento.charts.texts import marked_number, mathematical, numbers, shown_text
 from rolamento.errors import InputError
 from rolamento.words import manner, said
 
@@ -24,11 +32,12 @@ _UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
-_HALF_LINE: Final = 42
-"""Characters of a label of which two stand side by side."""
+_HALF_LINE, _WHOLE_LINE = 49, 70.0
+"""Characters, with its handle, of a label of which two stand over a frame; and of the frame."""
 _DECADES: Final = 100.0
 """Greatest over least value from which on there is room for whole decades only."""
 _NARROW: Final = 10.0
+_SHORT, _EVEN = 4.0, 7
 _WHOLE, _FEW, _MANY = (1.0,), (1.0, 2.0, 5.0), (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0)
 """Ticks in a decade of a wide, a middling and a narrow axis."""
 _MOST_TICKS: Final = 9
@@ -82,9 +91,13 @@ def decades(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
     getattr(axes, f"set_{axis}lim")(*limits)
     span = limits[1] / limits[0]
     scaled = getattr(axes, f"{axis}axis")
-    subs = _WHOLE if span > _DECADES else _FEW if span > _NARROW else _MANY
-    scaled.set_major_locator(LogLocator(subs=subs, numticks=_MOST_TICKS))
-    scaled.set_minor_locator(LogLocator(subs="auto", numticks=_MOST_TICKS))
+    if span < _SHORT:  # few round decades: even steps
+        scaled.set_major_locator(MaxNLocator(_EVEN, steps=[1, 2, 2.5, 5, 10]))
+        scaled.set_minor_locator(NullLocator())
+    else:
+        subs = _WHOLE if span > _DECADES else _FEW if span > _NARROW else _MANY
+        scaled.set_major_locator(LogLocator(subs=subs, numticks=_MOST_TICKS))
+        scaled.set_minor_locator(LogLocator(subs="auto", numticks=_MOST_TICKS))
     scaled.set_minor_formatter(NullFormatter())
     plain = numbers()
 
@@ -98,12 +111,12 @@ def decades(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
 
 
 def legend_above(
-    axes: Axes, *, handles: Sequence[Artist] = (), title: str = "", columns: int | None = None
+    axes: Axes, *, handles: Sequence[Artist] = (), title: str = "", symbols: bool = False
 ) -> None:
-    """Put the legend over the frame, where no data are; without entries, none.
+    """Put the legend over the frame, where no data are, in as many columns as there is room for.
 
-    handles: what to show, with labels of their own; all that is drawn if not given. columns: as
-    many as there is room for if not given.
+    handles: what to show, with labels of their own; all that is drawn if not given. symbols:
+    whether letters with an index are set as such.
     """
     handles = handles or axes.get_legend_handles_labels()[0]
     if not handles:
@@ -114,8 +127,8 @@ def legend_above(
         handles,
         labels,
         loc="lower center" if polar else "lower left",
-        bbox_to_anchor=(0.5, 1.1) if polar else (0.0, 1.0),
-        ncols=columns or _columns(axes, labels),
+        bbox_to_anchor=(0.5, 1.15) if polar else (0.0, 1.0),
+        ncols=_columns(axes, labels),
         borderaxespad=0.2,
         borderpad=0.2,
         columnspacing=1.4,
@@ -124,25 +137,20 @@ def legend_above(
         alignment="left",
     )
     for text in (*legend.get_texts(), legend.get_title()):
-        text.set_parse_math(False)
+        text.set_parse_math(symbols)
+        if symbols:
+            text.set_text(mathematical(text.get_text()))
     legend.get_title().set_fontsize(8.0)
-
-
-def legend_in_columns(axes: Axes, handles: Sequence[Artist] = (), title: str = "") -> None:
-    """Put the legend over the frame, in two columns where its labels are short enough.
-
-    handles: what to show, with labels of their own; all that is drawn if not given.
-    """
-    shown = handles or axes.get_legend_handles_labels()[0]
-    longest = max((len(shown_text(str(handle.get_label()), 60)) for handle in shown), default=0)
-    legend_above(axes, handles=shown, title=title, columns=2 if longest <= _HALF_LINE else None)
 
 
 def _columns(axes: Axes, labels: Sequence[str]) -> int:
     """Return how many labels stand side by side over a frame, one wide as the other."""
     room = figure_of(axes).get_figwidth() * axes.get_position().width * _CHARACTERS_PER_INCH
+    if isinstance(axes.yaxis.get_major_locator(), FixedLocator):  # names stand beside it
+        room -= max((len(one.get_text()) for one in axes.get_yticklabels()), default=0)
     widest = max(map(len, labels)) + _HANDLE_CHARACTERS
-    return min(max(int(room / widest), 1), len(labels))
+    least = 2 if widest <= _HALF_LINE and room > _WHOLE_LINE else 1
+    return min(max(int(room / widest), least), len(labels))
 
 
 def add_title(figure: Figure, title: str) -> None:
@@ -152,23 +160,27 @@ def add_title(figure: Figure, title: str) -> None:
     figure.suptitle("\n".join(lines), fontsize=9.5, parse_math=False)
 
 
-def panels(*drawn: Callable[[Axes], object], title: str = "", height: float = 90.0) -> Figure:
+def panels(
+    *drawn: Callable[[Axes], object], title: str = "", height: float = 90.0, own: bool = False
+) -> Figure:
     """Return a new figure of frames one below the other, with a title over all.
 
     Parameters
     ----------
     drawn
-        What draws on the axes of each frame; only the last keeps the label of its axis across.
+        What draws on the axes of each frame.
     title
         Over all; none if empty.
     height
         In mm.
+    own
+        Whether each has an axis of its own across; else only the last keeps its label.
     """
     with styled():
         figure, frames = new_stacked_figure(len(drawn), height=height)
         for draw, axes in zip(drawn, frames, strict=True):
             draw(axes)
-        for axes in frames[:-1]:
+        for axes in frames[: 0 if own else -1]:
             axes.set_xlabel("")
         if title:
             add_title(figure, title)

@@ -38,16 +38,18 @@ class Look:
     Attributes
     ----------
     color
-        a name of the palette
+        a name of the palette; "white" on a field of colours
     dash
         "solid", "dash", "dashdot", "dot", "longdash", "longdashdot", "dashdotdot", "fine"
     mark
-        "circle", "square", "triangle-up", "diamond", "triangle-down", "cross", "x", "star";
-        "tick" is an upright stroke, "thin" a thin cross
+        "circle", "square", "triangle-up", "diamond", "triangle-down", "cross", "x", "star",
+        "triangle-left", "triangle-right", "query"; "tick" is an upright stroke, "thin" a thin cross
     hollow
         whether marks are outlines
     width
         of the line, in those of an ordinary one
+    opacity
+        of the line and its marks
     """
 
     color: str
@@ -55,6 +57,7 @@ class Look:
     mark: str = "circle"
     hollow: bool = False
     width: float = 1.0
+    opacity: float = 1.0
 
 
 SERIES: Final = (
@@ -92,7 +95,7 @@ def race_look(race: Race, case: int = 0, row: int = 0) -> Look:
         Of several each has its own dashes and marks; case and race shift them.
 
     >>> race_look("outer", row=1)
-    Look(color='outer', dash='dot', mark='diamond', hollow=False, width=1.0)
+    Look(color='outer', dash='dot', mark='diamond', hollow=False, width=1.0, opacity=1.0)
     """
     step = 2 * (case + row) + (race == "outer")
     color = _CASES[case % len(_CASES)][race == "outer"]

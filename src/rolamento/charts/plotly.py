@@ -20,10 +20,12 @@ from rolamento.charts.palette import Look
 from rolamento.charts.record import (
     BREAK,
     FAINT,
+    Arrows,
     Axis,
     Bars,
     Chart,
     Ellipses,
+    Field,
     Labels,
     Line,
     Mark,
@@ -47,9 +49,13 @@ _NAMED: Final = 0.07
 _CLEAR: Final = "\u2003"
 """A space as wide as a letter is high."""
 _THIN_SPACE: Final = "\u2009"
-_MODES: Final = {"line": "lines", "points": "markers", "both": "lines+markers"}
+_MODES: Final = {
+    "line": "lines", "points": "markers", "both": "lines+markers", "sparse": "lines+markers",
+}  # fmt: skip
+_FEW: Final = 6
+"""Marks along a line of a few."""
 _DASHES: Final = {"dashdotdot": "10px,2px,2px,2px,2px,2px", "fine": "2px,2px"}
-_MARKS: Final = {"tick": "line-ns", "thin": "x-thin"}
+_MARKS: Final = {"tick": "line-ns", "thin": "x-thin", "query": "asterisk"}
 _CORNERS: Final = np.linspace(0.0, 2.0 * np.pi, 25)
 _GROUP: Final = 0.8
 """Part of a category that its bars fill, as Plotly has it."""
@@ -57,7 +63,8 @@ _BEFORE_END: Final = 12
 """Pixels from the end of a bar to its break mark."""
 _FINE: Final = 4
 """Decimals of the outline of an ellipse."""
-_SIDES: Final = {"left": "middle left", "right": "middle right", "above": "top center"}
+_SIDES: Final = {"left": "middle left", "right": "middle right", "above": "top center",
+                "on": "middle center", "along": "bottom left"}  # fmt: skip
 
 
 class Picture(TypedDict):
@@ -103,7 +110,8 @@ def picture(*panels: Chart, down: bool = False, conclusion: str = "") -> Picture
     if first.outlines:
         layout["meta"] = {"drawing": True}
     if any(isinstance(one, Bars) for one in first.series):
-        layout["barmode"] = "stack" if first.stacked else "group"
+        alone = any(isinstance(one, Bars) and one.start is not None for one in first.series)
+        layout["barmode"] = "stack" if first.stacked else "overlay" if alone else "group"
     layout["separators"] = manner().mark + _THIN_SPACE
     return {"data": data, "layout": layout, "summary": said, "empty": False}
 
@@ -155,6 +163,8 @@ def _values(chart: Chart, axis: str) -> Iterator[ArrayLike]:
     for one in chart.series:
         if isinstance(one, Bars):
             yield one.values if axis == "x" else one.places
+        elif isinstance(one, Line | Labels) and one.height is not None and axis == "y":
+            continue
         elif isinstance(one, Spread) and axis == "y":
             yield from (one.low, one.high)
         else:
@@ -174,6 +184,8 @@ def _axis(own: Axis, limits: tuple[float, float]) -> dict[str, Any]:
     known["range"] = [float(end) for end in (np.log10(limits) if own.log else limits)]
     if own.log:
         known["type"] = "log"
+    if own.whole:
+        known["tickformat"] = "d"
     if own.step:
         known["dtick"] = own.step
         if not own.log:
@@ -240,7 +252,14 @@ def _traces(chart: Chart, limits: Sequence[tuple[float, float]]) -> list[dict[st
         elif isinstance(one, Ellipses):
             found.append(_ellipses(chart, one))
         elif isinstance(one, Labels):
-            found.append(_labels(one))
+            found.append(_labels(chart, one, limits))
+        elif isinstance(one, Field):
+            found.append(_field(one))
+        elif isinstance(one, Arrows):
+            turned = np.degrees(np.arctan2(one.across, one.along))
+            marker = {"symbol": "arrow", "angle": numbers(turned), "size": 9, "color": "white"}
+            found.append({"type": "scatter", "mode": "markers", "hoverinfo": "skip",
+                          "x": numbers(one.x), "y": numbers(one.y), "marker": marker})  # fmt: skip
         elif one.valid is not None and not one.valid.all():
             found += _judged(chart, one, one.valid, limits)
         else:
@@ -274,8 +293,7 @@ def _stroke(look: Look) -> dict[str, Any]:
 
 def _line(chart: Chart, line: Line, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:
     names = ("theta", "r") if chart.polar else ("x", "y")
-    y = np.where(np.isneginf(line.y), limits[1][0] if limits else 0.0, line.y)
-    heights: list[Any] = numbers(y)
+    heights: list[Any] = numbers(_raised(chart, line, limits))
     if chart.y.categories:
         heights = [chart.y.categories[int(place)] for place in line.y]
     trace: dict[str, Any] = {
@@ -290,6 +308,10 @@ def _line(chart: Chart, line: Line, limits: Sequence[tuple[float, float]]) -> di
         trace["line"] = _stroke(line.look)
     if line.form != "line":
         trace["marker"] = _marker(line)
+    if line.form == "sparse":
+        trace["marker"]["maxdisplayed"] = _FEW
+    if line.look.opacity < 1.0:
+        trace["opacity"] = line.look.opacity
     if line.form == "points":
         trace["cliponaxis"] = False
     if line.wrapped != (0, 0):
@@ -298,11 +320,23 @@ def _line(chart: Chart, line: Line, limits: Sequence[tuple[float, float]]) -> di
     if line.texts:
         trace["text"] = list(line.texts)
         trace["hovertemplate"] = _texts_hover(chart, line)
-    if np.isneginf(line.y).any():
+    if line.height is not None:
         trace["meta"] = {"told": True}
     if line.filled:
         trace |= {"fill": "toself", "fillcolor": f"{line.look.color}-band"}
     return trace
+
+
+def _raised(
+    chart: Chart, own: Line | Labels, limits: Sequence[tuple[float, float]]
+) -> NDArray[np.float64]:
+    """Return upright numbers; of what stands at a height of the frame, those there."""
+    if own.height is None:
+        return own.y
+    low, high = limits[1] if limits else (0.0, 1.0)
+    if chart.y.log:
+        return np.full(len(own.x), low * (high / low) ** own.height)
+    return np.full(len(own.x), low + own.height * (high - low))
 
 
 def _texts_hover(chart: Chart, line: Line) -> str:
@@ -341,12 +375,13 @@ def _judged(
 
 def _spread(chart: Chart, spread: Spread) -> dict[str, Any]:
     """Return the outline of a band, up and back."""
+    color = spread.look.color
     return {
         "type": "scatter", "mode": "lines", "name": spread.name, "fill": "toself",
         "x": numbers(np.r_[spread.x, spread.x[::-1]]),
         "y": numbers(np.r_[spread.high, spread.low[::-1]]),
-        "hovertemplate": _named(_hover(chart)), "fillcolor": f"{spread.look.color}-band",
-        "line": {"color": spread.look.color, "width": 0},
+        "hovertemplate": _named(_hover(chart)), "line": {"color": color, "width": 0},
+        "fillcolor": color if spread.solid else f"{color}-band",
     }  # fmt: skip
 
 
@@ -360,10 +395,14 @@ def _bars(chart: Chart, bars: Bars, limits: tuple[float, float]) -> dict[str, An
         "hovertemplate": _named(f"%{{y}}: {chart.x.with_unit(f'%{{x:{_NUMBER}}}')}"),
         "marker": {"color": bars.look.color},
     }
+    if bars.start is not None:
+        found |= {"base": numbers(bars.start), "x": numbers(bars.values - bars.start)}
     if bars.texts:
         found |= {"text": list(bars.texts), "textposition": "auto", "insidetextanchor": "start",
                   "textangle": 0}  # fmt: skip
         found["hovertemplate"] = _named(f"%{{y}}: {chart.x.with_unit('%{text}')}")
+    if bars.look.opacity < 1.0:
+        found["marker"]["opacity"] = bars.look.opacity
     if bars.valid:
         found["marker"]["opacity"] = [1.0 if fine else FAINT for fine in bars.valid]
     return found
@@ -396,12 +435,31 @@ def _ellipses(chart: Chart, own: Ellipses) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _labels(labels: Labels) -> dict[str, Any]:
+def _labels(chart: Chart, labels: Labels, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:
     return {
         "type": "scatter", "mode": "text", "hoverinfo": "skip",
-        "x": numbers(labels.x), "y": numbers(labels.y),
+        "x": numbers(labels.x), "y": numbers(_raised(chart, labels, limits)),
         "text": [_aside(text, side) for text, side in zip(labels.texts, labels.sides, strict=True)],
         "textposition": [_SIDES[side] for side in labels.sides],
+        **({"textfont": {"color": labels.color}} if labels.color != "ink" else {}),
+    }  # fmt: skip
+
+
+def _field(own: Field) -> dict[str, Any]:
+    """Return its cells as squares, its points as they are, coloured by their numbers."""
+    x, y = own.x, own.y
+    if x.ndim == 1:
+        x, y = np.meshgrid(0.5 * (x[1:] + x[:-1]), 0.5 * (y[1:] + y[:-1]))
+    marker: dict[str, Any] = {
+        "symbol": "square", "color": numbers(own.values.ravel()), "showscale": True,
+        "colorscale": "RdBu" if own.signed else "Cividis", "size": 9,
+        "colorbar": {"title": {"text": own.scale.title, "side": "right"}},
+        **({"cmid": 0.0} if own.signed else {}),
+    }  # fmt: skip
+    return {
+        "type": "scatter", "mode": "markers", "name": own.missing, "showlegend": False,
+        "x": numbers(np.ravel(x)), "y": numbers(y.ravel()), "marker": marker,
+        "hovertemplate": f"{own.scale.with_unit(f'%{{marker.color:{_NUMBER}}}')}<extra></extra>",
     }  # fmt: skip
 
 

@@ -6,6 +6,8 @@ A chart knows no medium: `rolamento.charts.drawing` draws it with Matplotlib, an
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Final, Literal
 
 import numpy as np
@@ -14,15 +16,17 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.charts.axes_units import DEGREE, NONE
 from rolamento.charts.palette import Look
 from rolamento.records import frozen
+from rolamento.words import said
 
 __all__ = [
-    "Axis", "Bars", "Chart", "Ellipses", "Labels", "Line", "Mark", "Spread", "Zone", "nothing",
-    "widened",
+    "Arrows", "Axis", "Bars", "Chart", "Ellipses", "Field", "Labels", "Line", "Mark", "Spread",
+    "Zone", "key", "nothing", "once", "step_line", "widened",
 ]  # fmt: skip
 
 Floats = NDArray[np.float64]
-Form = Literal["line", "points", "both"]
-Side = Literal["left", "right", "above"]
+Form = Literal["line", "points", "both", "sparse"]
+Side = Literal["left", "right", "above", "on", "along"]
+"""Of its point; "along" a line that stands there, on its left, upright on paper."""
 
 BREAK: Final = "//"
 """The break mark of a bar that goes beyond its axis."""
@@ -58,6 +62,8 @@ class Axis:
         whether it has the scale of the other axis
     hidden
         whether it is left out
+    whole
+        whether only whole numbers stand along it
     label
         written along it, where that is not its name with its unit
     """
@@ -73,6 +79,7 @@ class Axis:
     step: float = 0.0
     equal: bool = False
     hidden: bool = False
+    whole: bool = False
     label: str = ""
 
     @property
@@ -95,13 +102,13 @@ class Line:
     Attributes
     ----------
     x, y
-        in the units of the axes, (points,); NaN leaves a gap, -inf is the foot of the frame
+        in the units of the axes, (points,); NaN leaves a gap
     name
         in the legend; empty: not in it
     look
         how it is drawn
     form
-        "line", "points", or "both"
+        "line", "points", "both", or "sparse": a line with a mark here and there
     wrapped
         how many points of its beginning and of its end stand there once more
     filled
@@ -110,6 +117,8 @@ class Line:
         of the points, where they are looked at
     valid
         where it holds, (points,); elsewhere it is faint
+    height
+        part of the height of the frame at which all of it stands, whatever y; 0 is its foot
     """
 
     x: Floats
@@ -121,11 +130,12 @@ class Line:
     filled: bool = False
     texts: tuple[str, ...] = ()
     valid: NDArray[np.bool_] | None = None
+    height: float | None = None
 
 
 @frozen(eq=False)
 class Spread:
-    """What lies between two lines, faintly filled; hatched where it is a body, on paper."""
+    """What lies between two lines, faintly filled; hatched where it is a body; or wholly."""
 
     x: Floats
     low: Floats
@@ -133,6 +143,7 @@ class Spread:
     name: str
     look: Look
     hatched: bool = False
+    solid: bool = False
 
 
 @frozen(eq=False)
@@ -142,8 +153,11 @@ class Bars:
     Attributes
     ----------
     values
-        (bars,); one beyond the end of its axis, as an infinite one, fills the frame and has a
-        break mark there
+        where they end, (bars,); one beyond the end of its axis, as an infinite one, fills the frame
+        and has a break mark there
+    start
+        where they begin, (bars,), then each alone in its place; by default at zero, beside or on
+        one another
     places
         to which categories they belong, (bars,)
     name, look
@@ -160,6 +174,7 @@ class Bars:
     look: Look
     texts: tuple[str, ...] = ()
     valid: tuple[bool, ...] = ()
+    start: Floats | None = None
 
 
 @frozen
@@ -213,15 +228,70 @@ class Ellipses:
 
 @frozen(eq=False)
 class Labels:
-    """Words in the frame; sides: on which side of its point each stands."""
+    """Words in the frame.
+
+    Attributes
+    ----------
+    x, y
+        their points
+    texts
+        what stands there
+    sides
+        on which side of its point each stands
+    color
+        a name of the palette
+    height
+        as of a line
+    """
 
     x: Floats
     y: Floats
     texts: tuple[str, ...]
     sides: tuple[Side, ...]
+    color: str = "ink"
+    height: float | None = None
 
 
-Series = Line | Spread | Bars | Ellipses | Labels
+@frozen(eq=False)
+class Field:
+    """Numbers over the frame, as colours: of cells, or in bands between levels.
+
+    Attributes
+    ----------
+    x, y
+        lines between cells, (columns + 1,), (rows + 1,); or points, (rows, columns) each
+    values
+        (rows, columns); a cell of NaN is hatched
+    scale
+        what the colours stand for
+    steps
+        how many colours at most
+    signed
+        whether zero is in the middle of the colours
+    missing
+        what hatched cells are called
+    """
+
+    x: Floats
+    y: Floats
+    values: Floats
+    scale: Axis
+    steps: int = 9
+    signed: bool = False
+    missing: str = ""
+
+
+@frozen(eq=False)
+class Arrows:
+    """Directions at points, all of one length, (arrows,) each; on colours, thus white."""
+
+    x: Floats
+    y: Floats
+    across: Floats
+    along: Floats
+
+
+Series = Line | Spread | Bars | Ellipses | Labels | Field | Arrows
 
 
 @frozen(eq=False)
@@ -248,6 +318,10 @@ class Chart:
         whether bars of a place stand on one another, not beside
     outlines
         whether its lines are outlines of bodies: a table of their points says nothing
+    over_names
+        what stands over the names of its series
+    symbols
+        whether single letters with an index are symbols, and set as such
     """
 
     series: tuple[Series, ...]
@@ -261,11 +335,22 @@ class Chart:
     numbers_at: float = 0.0
     stacked: bool = False
     outlines: bool = False
+    over_names: str = ""
+    symbols: bool = False
 
     @property
     def alternative(self) -> str:
-        """What it shows, for those who cannot see it."""
-        return ". ".join(part for part in (self.title, self.conclusion) if part)
+        """What it shows, for those who cannot see it; without a title by its axes."""
+        up, across = self.y.title, self.x.title
+        shown = self.title
+        if not shown and self.series and up and across and not self.polar:
+            shown = said("{what} over {field}.", what=up, field=across).rstrip(".")
+        return ". ".join(part for part in (shown, self.conclusion) if part)
+
+    def where_faint(self, text: str) -> Chart:
+        """Return it with a text over the names of its series, if some of them are faint."""
+        faint = any(line.valid is not None and not line.valid.all() for line in self.lines)
+        return replace(self, over_names=text) if faint else self
 
     @property
     def lines(self) -> tuple[Line, ...]:
@@ -276,6 +361,31 @@ class Chart:
 def nothing(why: str) -> Chart:
     """Return a chart without anything, that says why."""
     return Chart((), conclusion=why)
+
+
+def key(name: str, look: Look, form: Form = "line") -> Line:
+    """Return a line without points, for its name among those of a chart."""
+    return Line(np.array([np.nan]), np.array([np.nan]), name, look, form)
+
+
+def once(series: Iterable[Line]) -> tuple[Line, ...]:
+    """Return lines of which each name stands but once, with the first that has it."""
+    names: set[str] = set()
+    kept: list[Line] = []
+    for one in series:
+        kept.append(replace(one, name="") if one.name in names else one)
+        names.add(one.name)
+    return tuple(kept)
+
+
+def step_line(edges: ArrayLike, values: ArrayLike) -> tuple[Floats, Floats]:
+    """Return the outline of steps from edge to edge, (edges,), down to zero at both ends.
+
+    >>> step_line([0.0, 1.0, 2.0], [3.0, 4.0])[1].tolist()
+    [0.0, 3.0, 3.0, 4.0, 4.0, 0.0]
+    """
+    upright = np.asarray(values, dtype=np.float64)
+    return np.repeat(edges, 2), np.concatenate([[0.0], np.repeat(upright, 2), [0.0]])
 
 
 def widened(where: ArrayLike) -> NDArray[np.bool_]:

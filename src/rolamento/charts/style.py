@@ -57,12 +57,13 @@ _DASHES: Final[Mapping[str, Any]] = {
 _MARKS: Final[Mapping[str, str]] = {
     "circle": "o", "square": "s", "triangle-up": "^", "diamond": "D", "triangle-down": "v",
     "cross": "P", "x": "X", "star": "*", "tick": "|", "thin": "x",
+    "triangle-left": "<", "triangle-right": ">", "query": "$?$",
 }  # fmt: skip
 
 
 def of_look(look: Look) -> Series:
     """Return a look of the palette as Matplotlib has it, on white paper."""
-    return Series(LIGHT[look.color], _DASHES[look.dash], _MARKS[look.mark])
+    return Series(LIGHT.get(look.color, look.color), _DASHES[look.dash], _MARKS[look.mark])
 
 
 SERIES: Final = tuple(map(of_look, palette.SERIES))

@@ -21,6 +21,8 @@ _DIGITS: Final = 4
 
 
 _LONG_NUMBER: Final = re.compile(r"\d{5,}")
+_INDEXED: Final = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zα-ω])_([A-Za-z0-9]+)(?![^\W²³])")
+_LONE_SYMBOL: Final = re.compile(r"(?<![$\w{}])([α-ωQ])(?![\w$}])")
 
 
 def number(value: float, digits: int = _DIGITS) -> str:
@@ -58,6 +60,23 @@ def no_result_count(count: int, total: int, why: str = "") -> str:
 def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
     """Return a text of others as one line that can be printed, not too long."""
     return one_line(text, longest)
+
+
+def mathematical(text: str) -> str:
+    """Set symbols for Matplotlib: indices below, letters that stand for quantities slanted.
+
+    >>> mathematical("load Q_0")
+    'load $Q_{0}$'
+    """
+    indexed = _INDEXED.sub(
+        lambda found: (
+            f"${found[1]}_{{{found[2]}}}$"
+            if len(found[2]) == 1
+            else f"${found[1]}_{{\\mathrm{{{found[2]}}}}}$"
+        ),
+        text,
+    )
+    return _LONE_SYMBOL.sub(r"$\1$", indexed)
 
 
 def theory_label(theory: str) -> str:

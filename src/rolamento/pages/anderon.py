@@ -7,20 +7,8 @@ from dataclasses import replace
 from math import exp, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.data import in_files
 from rolamento.pages.notes import about
 from rolamento.units import HOUR
@@ -35,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["anderon_page", "noise_statement"]
 
-_TONES: Final[dict[str, Tone]] = {
+_TONES: Final[dict[str, doc.Tone]] = {
     "accepted": "good",
     "rejected": "bad-strong",
     "not_measured": "warning-strong",
@@ -50,7 +38,7 @@ _QUANTITIES: Final = {
 _LONGEST_NAME: Final = 32
 
 
-def anderon_page(found: NoiseResult) -> Document:
+def anderon_page(found: NoiseResult) -> doc.Document:
     """Return the page of one signal's noise, or of several."""
     leading, notes = about([(one.title, (*one.notes, *one.choices)) for one in found.measured])
     head = _statement(found)
@@ -62,9 +50,9 @@ def anderon_page(found: NoiseResult) -> Document:
         if found.trend is not None:
             sections += _over_time(found.trend)
     sections += notes
-    sections.append(Section("", tuple(_figures(found)), "figures"))
+    sections.append(doc.Section("", tuple(_figures(found)), "figures"))
     sections.append(in_files("levels", _COLUMNS, _levels(found)))
-    return Document(_title(found), tuple(sections), kind="anderon", main="levels")
+    return doc.Document(_title(found), tuple(sections), kind="anderon", main="levels")
 
 
 _COLUMNS: Final = {
@@ -73,7 +61,7 @@ _COLUMNS: Final = {
 }  # fmt: skip
 
 
-def _levels(found: NoiseResult) -> Iterator[tuple[CellContent, ...]]:
+def _levels(found: NoiseResult) -> Iterator[tuple[doc.CellContent, ...]]:
     """Return each band of each signal."""
     for place, one in enumerate(found.measured):
         scales = found.scales_of(one)
@@ -134,20 +122,20 @@ def _rejections(found: NoiseResult) -> Iterable[str]:
             yield said("{band} band not measured", band=band)
 
 
-def _statement(found: NoiseResult) -> Section:
-    tone: Tone = "good-strong" if found.full_scales else "warning-strong"
+def _statement(found: NoiseResult) -> doc.Section:
+    tone: doc.Tone = "good-strong" if found.full_scales else "warning-strong"
     tone = "bad-strong" if "rejected" in found.verdicts else tone
-    return Section("", (Statement(noise_statement(found), tone),), "verdict")
+    return doc.Section("", (doc.Statement(noise_statement(found), tone),), "verdict")
 
 
 # --- one signal ------------------------------------------------------------------------------
 
 
-def _facts(one: MeasuredNoise) -> Section:
+def _facts(one: MeasuredNoise) -> doc.Section:
     signal = one.noise.velocity
     entries = (
-        Entry(said("speed"), _speed(one)),
-        Entry(
+        doc.Entry(said("speed"), _speed(one)),
+        doc.Entry(
             said("signal"),
             said(
                 "{quantity}, {duration:.4 s} at {rate:.6 Hz}",
@@ -157,7 +145,7 @@ def _facts(one: MeasuredNoise) -> Section:
             ),
         ),
     )
-    return Section("", (Title(one_line(one.title)), KeyValues(entries)), "given")
+    return doc.Section("", (doc.Title(one_line(one.title)), doc.KeyValues(entries)), "given")
 
 
 def _speed(one: MeasuredNoise) -> str:
@@ -168,12 +156,12 @@ def _speed(one: MeasuredNoise) -> str:
     return said("{speed:.6 rpm}; the test runs at 1800 rpm", speed=one.noise.speed)
 
 
-def _bands(found: NoiseResult) -> Section:
+def _bands(found: NoiseResult) -> doc.Section:
     one, scales = found.measured[0], found.scales_of(found.measured[0])
     bands = one.noise.bands
     columns = [
-        Column("", [band_name(band.name) for band in bands], "band"),
-        Column(
+        doc.Column("", [band_name(band.name) for band in bands], "band"),
+        doc.Column(
             said("band"),
             ["–".join(manner().fixed(edge, 0) for edge in band.band) for band in bands],
             "edges",
@@ -181,11 +169,11 @@ def _bands(found: NoiseResult) -> Section:
             align="right",
         ),
         *(
-            Column(head, [band.band[place] for band in bands], key, "Hz", only_in_files=True)
+            doc.Column(head, [band.band[place] for band in bands], key, "Hz", only_in_files=True)
             for place, (head, key) in enumerate(((said("from"), "low"), (said("to"), "high")))
         ),
-        Column("RMS", [band.velocity for band in bands], "velocity", "µm/s"),
-        Column("anderon", [band.anderons for band in bands], "anderons", figures=3),
+        doc.Column("RMS", [band.velocity for band in bands], "velocity", "µm/s"),
+        doc.Column("anderon", [band.anderons for band in bands], "anderons", figures=3),
         *(_verdicts(found) if scales else ()),
     ]
     factors = ", ".join(
@@ -203,8 +191,8 @@ def _bands(found: NoiseResult) -> Section:
         speed=one.noise.speed,
         factors=factors,
     )
-    table = Table(tuple(columns), "bands", legends=(legend,))
-    return Section(said("Bands"), (table,), "bands")
+    table = doc.Table(tuple(columns), "bands", legends=(legend,))
+    return doc.Section(said("Bands"), (table,), "bands")
 
 
 def _verdict(verdict: str) -> str:
@@ -216,22 +204,22 @@ def _verdict(verdict: str) -> str:
     }[verdict]
 
 
-def _verdicts(found: NoiseResult) -> Iterable[Column]:
+def _verdicts(found: NoiseResult) -> Iterable[doc.Column]:
     """Compare the bands of the only signal with their full scales."""
     one, scales = found.measured[0], found.scales_of(found.measured[0])
     bands = one.noise.bands
     full = [scales.get(band.name, nan) for band in bands]
     verdicts = [found.verdict_of(0, band.name) for band in bands]
-    yield Column(said("full scale"), full, "full_scale", form=".4")
-    yield Column(
+    yield doc.Column(said("full scale"), full, "full_scale", form=".4")
+    yield doc.Column(
         said("ratio"),
         [band.anderons / scale for band, scale in zip(bands, full, strict=True)],
         "of_full_scale",
         "%",
         form=".1f [%]",
     )
-    yield Column(said("limit"), [found.part * scale for scale in full], "limit", form=".4")
-    yield Column(
+    yield doc.Column(said("limit"), [found.part * scale for scale in full], "limit", form=".4")
+    yield doc.Column(
         said("verdict"),
         [_verdict(verdict) for verdict in verdicts],
         "verdict",
@@ -242,14 +230,14 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
 # --- several ---------------------------------------------------------------------------------
 
 
-def _signals(found: NoiseResult) -> Section:
+def _signals(found: NoiseResult) -> doc.Section:
     columns = (
-        Column("", [one_line(one.title, _LONGEST_NAME) for one in found.measured], "signal"),
-        Column(
+        doc.Column("", [one_line(one.title, _LONGEST_NAME) for one in found.measured], "signal"),
+        doc.Column(
             said("time"), [HOUR * one.hours for one in found.measured], "hours", "h", form=".6 [h]"
         ),
         *(
-            Column(
+            doc.Column(
                 band_name(name),
                 [one.noise.of(name).anderons for one in found.measured],
                 name,
@@ -257,35 +245,35 @@ def _signals(found: NoiseResult) -> Section:
             )
             for name in BANDS
         ),
-        Column(
+        doc.Column(
             said("verdict"),
             [_verdict(verdict) for verdict in found.verdicts],
             "verdict",
             tones=[_TONES[verdict] for verdict in found.verdicts],
         ),
     )
-    table = Table(columns, "signals", legends=(said("Bands in anderon."),))
-    return Section(said("Signals"), (table,), "signals")
+    table = doc.Table(columns, "signals", legends=(said("Bands in anderon."),))
+    return doc.Section(said("Signals"), (table,), "signals")
 
 
-def _over_time(trend: AnderonTrend) -> list[Section]:
+def _over_time(trend: AnderonTrend) -> list[doc.Section]:
     bands = [band for band in trend.bands if band.anderons]
     if not bands:
         return []
     times = ((said("from"), "rejected_after"), (said("to"), "rejected_by"))
     columns = (
-        Column("", [band_name(band.name) for band in bands], "band"),
-        Column(said("first"), [band.anderons[0] for band in bands], "first", form=".3"),
-        Column(said("last"), [band.anderons[-1] for band in bands], "last", form=".3"),
-        Column(said("ratio"), [band.ratio for band in bands], "ratio", form=".3"),
-        Column(
+        doc.Column("", [band_name(band.name) for band in bands], "band"),
+        doc.Column(said("first"), [band.anderons[0] for band in bands], "first", form=".3"),
+        doc.Column(said("last"), [band.anderons[-1] for band in bands], "last", form=".3"),
+        doc.Column(said("ratio"), [band.ratio for band in bands], "ratio", form=".3"),
+        doc.Column(
             said("growth per 100 h"),
             [exp(min(100.0 * band.growth, 700.0)) - 1.0 for band in bands],
             "growth_per_100_h",
             "%",
             form=".3 [%]",
         ),
-        Column(
+        doc.Column(
             said_in("noise", "rejected"),
             [_rejected(band) for band in bands],
             "rejected",
@@ -293,7 +281,7 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
             align="right",
         ),
         *(
-            Column(
+            doc.Column(
                 head,
                 [_in_seconds(getattr(band, key)) for band in bands],
                 key,
@@ -307,11 +295,11 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
         "Ratio: last to first. Growth: of the logarithm, by least squares through all measurements."
         " Rejected: between the last measurement before and the first above the limit."
     )
-    table = Table(columns, "trend", legends=(legend,))
-    return [Section(said("Over the test"), (table,), "trend")]
+    table = doc.Table(columns, "trend", legends=(legend,))
+    return [doc.Section(said("Over the test"), (table,), "trend")]
 
 
-def _in_seconds(hours: float) -> CellContent:
+def _in_seconds(hours: float) -> doc.CellContent:
     return HOUR * hours if isfinite(hours) else None
 
 
@@ -324,10 +312,10 @@ def _rejected(band: BandTrend) -> str:
 # --- notes and pictures ----------------------------------------------------------------------
 
 
-def _figures(found: NoiseResult) -> Iterable[Figure]:
+def _figures(found: NoiseResult) -> Iterable[doc.Figure]:
     one = found.measured[0]
     if len(found.measured) == 1:
-        yield Figure(
+        yield doc.Figure(
             said("Noise in thirds of octaves, with the level and limit of each band"),
             lambda: plots.noise_figure(one.noise, limits=found.limits_of(one)),
             "noise",
@@ -337,4 +325,4 @@ def _figures(found: NoiseResult) -> Iterable[Figure]:
 
         trend, limits = parse_trend(found.record()), found.limits_of(one)
         caption = said("Levels of the bands over the test")
-        yield Figure(caption, lambda: plots.noise_trend_figure(trend, limits=limits), "trend")
+        yield doc.Figure(caption, lambda: plots.noise_trend_figure(trend, limits=limits), "trend")

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Final
 
+from rolamento import document as doc
 from rolamento.catalogue import (
     Candidate,
     CatalogueBearing,
@@ -13,20 +14,6 @@ from rolamento.catalogue import (
     Origin,
     RollerCandidate,
     ball_name,
-)
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
 )
 from rolamento.types import TYPES
 from rolamento.words import manner, marked, said
@@ -130,7 +117,7 @@ _ORIGINS: Final[dict[Origin, str]] = {
 }
 
 
-def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> Document:
+def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> doc.Document:
     """Return the page of a list of bearings.
 
     Parameters
@@ -142,16 +129,18 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> Do
     """
     title = said("Bearings of the catalogue")
     if not found:
-        return Document(title, (Section(blocks=(Statement(said("no match")),)),), "catalogue")
+        return doc.Document(
+            title, (doc.Section(blocks=(doc.Statement(said("no match")),)),), "catalogue"
+        )
     lengths = {"bore": "d", "outside_diameter": "D", "width": "B"}
     columns = (
-        Column("", [b.designation for b in found], "designation", tone="strong"),
-        Column("", [bearing.maker for bearing in found], "maker"),
+        doc.Column("", [b.designation for b in found], "designation", tone="strong"),
+        doc.Column("", [bearing.maker for bearing in found], "maker"),
         *(_column(found, name, head, "mm") for name, head in lengths.items()),
         _column(found, "contact_angle", "α", "°"),
         _column(found, "dynamic_rating", "C", "N"),
         _column(found, "static_rating", "C0", "N"),
-        Column(said("balls"), [_balls(b) for b in found], "balls", align="right"),
+        doc.Column(said("balls"), [_balls(b) for b in found], "balls", align="right"),
     )
     if all(bearing.has_rollers for bearing in found):
         names = {"inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w"}
@@ -159,13 +148,13 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> Do
         told = [one for one in raceways if any(value is not None for value in one.values)]
         columns = (*columns[:5], *told, *columns[6:-1])
     more = said("… and more: type more of the designation, or use --most")
-    table = Table(columns, "bearings", legends=() if is_all else (more,))
-    return Document(title, (Section(blocks=(table,), key="bearings"),), "catalogue")
+    table = doc.Table(columns, "bearings", legends=() if is_all else (more,))
+    return doc.Document(title, (doc.Section(blocks=(table,), key="bearings"),), "catalogue")
 
 
-def _column(found: Sequence[CatalogueBearing], name: str, head: str, unit: str) -> Column:
+def _column(found: Sequence[CatalogueBearing], name: str, head: str, unit: str) -> doc.Column:
     values = [getattr(bearing, name) for bearing in found]
-    return Column(head, values, name, unit, form=f".5 [{unit}]", align="right")
+    return doc.Column(head, values, name, unit, form=f".5 [{unit}]", align="right")
 
 
 def _balls(bearing: CatalogueBearing) -> str:
@@ -175,7 +164,7 @@ def _balls(bearing: CatalogueBearing) -> str:
     return f"{bearing.ball_count} × {diameter}"
 
 
-def bearing_page(geometry: InternalGeometry) -> Document:
+def bearing_page(geometry: InternalGeometry) -> doc.Document:
     """Return the page of one bearing.
 
     Parameters
@@ -186,28 +175,28 @@ def bearing_page(geometry: InternalGeometry) -> Document:
     bearing = geometry.bearing
     named = " ".join(part for part in (bearing.maker, bearing.designation) if part)
     title = f"{named}  {said(KINDS[bearing.kind])}"
-    head: list[Block] = [Title(title)]
+    head: list[doc.Block] = [doc.Title(title)]
     meanings = _meanings(geometry)
-    entries = [Entry(said("designation"), "; ".join(meanings))] if meanings else []
+    entries = [doc.Entry(said("designation"), "; ".join(meanings))] if meanings else []
     if geometry.idle:
         idle = ", ".join(part for part, _ in geometry.idle)
-        entries.append(Entry(said("no effect on results"), idle))
+        entries.append(doc.Entry(said("no effect on results"), idle))
     if entries:
-        head.append(KeyValues(tuple(entries)))
-    head += [Statement(note.text, "warning-strong") for note in geometry.notes]
-    sections = [Section(blocks=tuple(head), key="head"), _published(bearing)]
+        head.append(doc.KeyValues(tuple(entries)))
+    head += [doc.Statement(note.text, "warning-strong") for note in geometry.notes]
+    sections = [doc.Section(blocks=tuple(head), key="head"), _published(bearing)]
     if not geometry.has_elements and bearing.has_rollers:
         text = said(
             "Neither rollers nor load ratings are published: give roller_count, roller_diameter,"
             " effective_length and pitch_diameter, or the ratings with --dynamic and --static."
         )
-        sections.append(Section(blocks=(Statement(text, "strong"),)))
+        sections.append(doc.Section(blocks=(doc.Statement(text, "strong"),)))
     elif not geometry.has_elements:
         text = said(
             "Neither balls nor load ratings are published: give ball_count, ball_diameter and"
             " pitch_diameter, or the ratings with --dynamic and --static."
         )
-        sections.append(Section(blocks=(Statement(text, "strong"),)))
+        sections.append(doc.Section(blocks=(doc.Statement(text, "strong"),)))
     else:
         sections.append(_internal(geometry))
         rollers = [one for one in geometry.candidates if isinstance(one, RollerCandidate)]
@@ -218,16 +207,16 @@ def bearing_page(geometry: InternalGeometry) -> Document:
             sections.append(_candidates(balls))
     if geometry.sisters:
         sections.append(_sisters(geometry.sisters))
-    return Document(named, tuple(sections), "catalogue")
+    return doc.Document(named, tuple(sections), "catalogue")
 
 
-def _sisters(sisters: Sequence[CatalogueBearing]) -> Section:
+def _sisters(sisters: Sequence[CatalogueBearing]) -> doc.Section:
     """Bearings of the same size whose balls are published, and how to take one."""
     columns = (
-        Column("", [b.designation for b in sisters], "designation", tone="strong"),
-        Column("", [bearing.maker for bearing in sisters], "maker"),
+        doc.Column("", [b.designation for b in sisters], "designation", tone="strong"),
+        doc.Column("", [bearing.maker for bearing in sisters], "maker"),
         _column(sisters, "contact_angle", "α", "°"),
-        Column("Z", [b.ball_count for b in sisters], "ball_count", align="right"),
+        doc.Column("Z", [b.ball_count for b in sisters], "ball_count", align="right"),
         _column(sisters, "ball_diameter", "D", "mm"),
         _column(sisters, "pitch_diameter", "d_m", "mm"),
         _column(sisters, "dynamic_rating", "C", "N"),
@@ -238,8 +227,8 @@ def _sisters(sisters: Sequence[CatalogueBearing]) -> Section:
         ' one of them, give its designation, such as designation = "{name}".',
         name=sisters[0].designation,
     )
-    table = Table(columns, "sisters", legends=(legend,))
-    return Section(said("Bearings of the same size with published balls"), (table,), "sisters")
+    table = doc.Table(columns, "sisters", legends=(legend,))
+    return doc.Section(said("Bearings of the same size with published balls"), (table,), "sisters")
 
 
 def _meanings(geometry: InternalGeometry) -> list[str]:
@@ -253,14 +242,14 @@ def _meanings(geometry: InternalGeometry) -> list[str]:
     return parts
 
 
-def _published(bearing: CatalogueBearing) -> Section:
-    table = Table(
+def _published(bearing: CatalogueBearing) -> doc.Section:
+    table = doc.Table(
         _named_figures(bearing.figures, _names_of(bearing)),
         "published",
         headless=True,
         legends=tuple(dict.fromkeys(bearing.sources.values())),
     )
-    return Section(said("Published data"), (table,), "published")
+    return doc.Section(said("Published data"), (table,), "published")
 
 
 def _names_of(bearing: CatalogueBearing) -> Mapping[str, str]:
@@ -271,24 +260,26 @@ def _names_of(bearing: CatalogueBearing) -> Mapping[str, str]:
 
 def _named_figures(
     figures: Mapping[str, float | str], names: Mapping[str, str] = _NAMES
-) -> tuple[Column, ...]:
+) -> tuple[doc.Column, ...]:
     """Return the columns of figures by their names: name, number, unit."""
     forms = [
         ("", "") if isinstance(value, str) else _FORMS.get(name, (".5", "mm"))
         for name, value in figures.items()
     ]
-    numbers: list[CellContent] = [
-        value if isinstance(value, str) else Number(value, f"{digits} [{unit}]" if unit else digits)
+    numbers: list[doc.CellContent] = [
+        value
+        if isinstance(value, str)
+        else doc.Number(value, f"{digits} [{unit}]" if unit else digits)
         for value, (digits, unit) in zip(figures.values(), forms, strict=True)
     ]
     return (
-        Column("", [said(names[name]) for name in figures], "quantity"),
-        Column("", numbers, "value", align="right"),
-        Column("", [unit for _, unit in forms], "unit", align="left"),
+        doc.Column("", [said(names[name]) for name in figures], "quantity"),
+        doc.Column("", numbers, "value", align="right"),
+        doc.Column("", [unit for _, unit in forms], "unit", align="left"),
     )
 
 
-def _internal(geometry: InternalGeometry) -> Section:
+def _internal(geometry: InternalGeometry) -> doc.Section:
     hidden = ("kind", "element")
     told = {
         name: said(_RIBS[value]) if name.endswith("_ribs") else value
@@ -296,14 +287,16 @@ def _internal(geometry: InternalGeometry) -> Section:
         if name not in hidden
     }
     origins = [geometry.origins[name] for name in told]
-    tones: list[Tone] = ["" if origin == "published" else "warning" for origin in origins]
+    tones: list[doc.Tone] = ["" if origin == "published" else "warning" for origin in origins]
     sizes = [ball_name(geometry.fields[name]) if name == "ball_diameter" else "" for name in told]
     columns = (
         *_named_figures(told, _names_of(geometry.bearing)),
-        Column("", [said(_ORIGINS[one]) for one in origins], "origin", tones=tones),
-        Column("", ["" if size.endswith("mm") else size for size in sizes], "size", tone="faint"),
+        doc.Column("", [said(_ORIGINS[one]) for one in origins], "origin", tones=tones),
+        doc.Column(
+            "", ["" if size.endswith("mm") else size for size in sizes], "size", tone="faint"
+        ),
     )
-    blocks: list[Block] = [Table(columns, "internal_geometry", headless=True)]
+    blocks: list[doc.Block] = [doc.Table(columns, "internal_geometry", headless=True)]
     if geometry.is_inferred:
         first = geometry.candidates[0]
         figures = ", ".join(_SHORT_NAMES.get(name, name) for name in first.rests_on)
@@ -312,16 +305,16 @@ def _internal(geometry: InternalGeometry) -> Section:
             " alternatives through every result that depends on it.",
             figures=figures,
         )
-        blocks.append(Statement(text, "warning", indent=2))
+        blocks.append(doc.Statement(text, "warning", indent=2))
         if isinstance(first, RollerCandidate):
-            blocks.append(Statement(_how_sure(first), "faint", indent=2))
+            blocks.append(doc.Statement(_how_sure(first), "faint", indent=2))
         elif not first.reproduces:
             text = said(
                 "No standard ball size reproduces these ratings well: even the best candidates are"
                 " doubtful."
             )
-            blocks.append(Statement(text, "warning-strong", indent=2))
-    return Section(said("Internal geometry"), tuple(blocks), "internal_geometry")
+            blocks.append(doc.Statement(text, "warning-strong", indent=2))
+    return doc.Section(said("Internal geometry"), tuple(blocks), "internal_geometry")
 
 
 def _how_sure(first: RollerCandidate) -> str:
@@ -345,33 +338,33 @@ def _how_sure(first: RollerCandidate) -> str:
 def _column_to_the_right(
     head: str,
     key: str,
-    values: Sequence[CellContent],
+    values: Sequence[doc.CellContent],
     form: str = "",
     unit: str = "",
     *,
-    tones: Sequence[Tone],
-) -> Column:
+    tones: Sequence[doc.Tone],
+) -> doc.Column:
     own = f"{form} [{unit}]" if unit else form
-    return Column(head, values, key, unit, form=own, tones=tones, align="right")
+    return doc.Column(head, values, key, unit, form=own, tones=tones, align="right")
 
 
-def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) -> Section:
-    tones: list[Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
+def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) -> doc.Section:
+    tones: list[doc.Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
 
     column = partial(_column_to_the_right, tones=tones)
 
-    def of(head: str, key: str, form: str, unit: str = "") -> Column:
+    def of(head: str, key: str, form: str, unit: str = "") -> doc.Column:
         return column(head, key, [getattr(one, key) for one in candidates], form, unit)
 
-    def span(key: str) -> tuple[Column, ...]:
+    def span(key: str) -> tuple[doc.Column, ...]:
         low, high = zip(*(getattr(one, f"{key}_range") for one in candidates), strict=True)
         return (
-            column(said("from"), f"{key}_low", [Number(x, ".2f [mm]") for x in low]),
-            column(said("to"), f"{key}_high", [Number(x, ".2f [mm]") for x in high]),
+            column(said("from"), f"{key}_low", [doc.Number(x, ".2f [mm]") for x in low]),
+            column(said("to"), f"{key}_high", [doc.Number(x, ".2f [mm]") for x in high]),
         )
 
     misfits = [
-        Number(one.misfit, ".1f", behind="" if one.reproduces else " ×") for one in candidates
+        doc.Number(one.misfit, ".1f", behind="" if one.reproduces else " ×") for one in candidates
     ]
     columns = (
         of("", "rank", ".5"),
@@ -384,7 +377,7 @@ def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) 
         of(said("filling"), "filling", ".0f", "%"),
         of("C", "dynamic_error", "+.1f", "%"),
         of("C0", "static_error", "+.1f", "%"),
-        Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
+        doc.Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
         of(said("share"), "weight", ".0f", "%"),
     )
     legend = said(
@@ -392,28 +385,28 @@ def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) 
         " misfit up to 1: as good as usual; ×: one figure is off by more than three tolerances;"
         " share: of the likelihood."
     )
-    table = Table(columns, "candidates", legends=(legend,), gap=1, units="behind")
-    return Section(said("Candidates that fit the ratings"), (table,), "candidates")
+    table = doc.Table(columns, "candidates", legends=(legend,), gap=1, units="behind")
+    return doc.Section(said("Candidates that fit the ratings"), (table,), "candidates")
 
 
-def _candidates(candidates: Sequence[Candidate]) -> Section:
+def _candidates(candidates: Sequence[Candidate]) -> doc.Section:
     sizes = [ball_name(one.ball_diameter) for one in candidates]
-    tones: list[Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
+    tones: list[doc.Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
 
     column = partial(_column_to_the_right, tones=tones)
 
-    def errors(head: str, key: str, form: str, unit: str = "") -> Column:
+    def errors(head: str, key: str, form: str, unit: str = "") -> doc.Column:
         return column(head, key, [getattr(one, key) for one in candidates], form, unit)
 
     low, high = zip(*(one.pitch_diameter_range for one in candidates), strict=True)
     misfits = [
-        Number(one.misfit, ".1f", behind="" if one.reproduces else " ×") for one in candidates
+        doc.Number(one.misfit, ".1f", behind="" if one.reproduces else " ×") for one in candidates
     ]
     columns = (
         column("", "rank", [one.rank for one in candidates], ".5"),
         column("Z", "ball_count", [one.ball_count for one in candidates], ".5"),
         column("D", "ball_diameter", [one.ball_diameter for one in candidates], ".3f", "mm"),
-        Column(
+        doc.Column(
             "",
             [size if size.endswith("in") else "" for size in sizes],
             "size",
@@ -421,14 +414,14 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
             align="left",
         ),
         column("d_m", "pitch_diameter", [one.pitch_diameter for one in candidates], ".1f", "mm"),
-        column(said("from"), "pitch_diameter_low", [Number(x, ".1f [mm]") for x in low]),
-        column(said("to"), "pitch_diameter_high", [Number(x, ".1f [mm]") for x in high]),
+        column(said("from"), "pitch_diameter_low", [doc.Number(x, ".1f [mm]") for x in low]),
+        column(said("to"), "pitch_diameter_high", [doc.Number(x, ".1f [mm]") for x in high]),
         column("f_i", "inner_conformity", [one.inner_conformity for one in candidates], ".4"),
         column("f_o", "outer_conformity", [one.outer_conformity for one in candidates], ".4"),
         errors("C", "dynamic_error", "+.1f", "%"),
         errors("C0", "static_error", "+.1f", "%"),
         errors("f0", "f0_error", "+.2f"),
-        Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
+        doc.Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
         column(said("share"), "weight", [one.weight for one in candidates], ".0f", "%"),
     )
     legend = said(
@@ -436,6 +429,6 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
         " one figure is off by more than three tolerances; share: of the likelihood; f_i, f_o: the"
         " most open grooves that the ratings allow."
     )
-    table = Table(columns, "candidates", legends=(legend,), gap=1, units="behind")
+    table = doc.Table(columns, "candidates", legends=(legend,), gap=1, units="behind")
     heading = said("Candidates that fit the ratings")
-    return Section(heading, (table,), "candidates")
+    return doc.Section(heading, (table,), "candidates")

@@ -2,24 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento.clearance.operating import PERCENTILES
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.pages.preload import stage_table
 from rolamento.records import frozen
@@ -29,7 +17,7 @@ if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
     from rolamento.tasks.clearance import Mounted
 
-__all__ = ["STEPS", "ChainLine", "chain_lines", "clearance_page"]
+__all__ = ["STEPS", "ChainLine", "chain_lines", "clearance_page", "limit_heads"]
 
 STEPS: Final = {
     "initial": marked("before mounting"),
@@ -45,14 +33,15 @@ _DETAILS: Final = {
     "smoothing": marked("loss by smoothing"),
     "expansion": marked("gain by thermal expansion"),
     "rotation": marked("loss by rotation"),
-    "effective_interference": marked("effective in operation"),
-    "pressure": marked("pressure (MPa)"),
+    "effective_interference": marked("interference in operation"),
+    "pressure": marked("contact pressure"),
 }
+"""What goes into a fit."""
 
 
 def clearance_page(
     found: Mounted, samples: ClearanceSamples | None = None, *, title: str = ""
-) -> Document:
+) -> doc.Document:
     """Return the chain of clearances, and what becomes of the preload of a set.
 
     Parameters
@@ -64,18 +53,18 @@ def clearance_page(
     title
         Of the case.
     """
-    head = [Section("", (Title(title),), "head")] if title else []
+    head = [doc.Section("", (doc.Title(title),), "head")] if title else []
     sections = [*head, *cautions_section(found.notes)]
     if found.stages:
         stages = stage_table(found.stages)
-        sections.append(Section(said("Preload"), (stages,), "preload"))
+        sections.append(doc.Section(said("Preload"), (stages,), "preload"))
     for place, row in enumerate(found.rows):
         sections.append(_chain(row, place if len(found.rows) > 1 else None))
     sections.append(_sources(found.rows[0]))
     if samples is not None:
         sections.append(_scatter(samples))
     sections += notes_section(remarks_of(found.notes))
-    return Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
+    return doc.Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
 
 
 @frozen
@@ -86,19 +75,25 @@ class ChainLine:
     values: Sequence[float]
     path: str
     unit: str = "µm"
-    tone: Tone = ""
+    tone: doc.Tone = ""
     source: str = ""
 
 
-def chain_lines(found: OperatingClearance, details: Mapping[str, str]) -> Iterator[ChainLine]:
-    """Yield the steps, what went into each fit, and the clearance in operation.
+def limit_heads() -> dict[str, str]:
+    """Return what the limits of a clearance are called."""
+    return {
+        "minimum": said_in("clearance", "minimum"),
+        "mean": said_in("clearance", "mean"),
+        "maximum": said_in("clearance", "maximum"),
+    }
 
-    details: what goes into a fit, and what it is called, marked.
-    """
+
+def chain_lines(found: OperatingClearance) -> Iterator[ChainLine]:
+    """Yield the steps, what went into each fit, and the clearance in operation."""
     for place, step in enumerate(found.steps):
         path, name = f"clearance.steps.{place}", said(STEPS[step.name])
         yield ChainLine(name, step.change, f"{path}.change", source=step.source.text)
-        for key, label in details.items():
+        for key, label in _DETAILS.items():
             values = step.details.get(key)
             if values is not None and (any(values) or key == "interference"):
                 unit = "MPa" if key == "pressure" else "µm"
@@ -107,51 +102,44 @@ def chain_lines(found: OperatingClearance, details: Mapping[str, str]) -> Iterat
     yield ChainLine(said("in operation"), limits, "clearance", tone="strong")
 
 
-def _chain(found: OperatingClearance, place: int | None = None) -> Section:
+def _chain(found: OperatingClearance, place: int | None = None) -> doc.Section:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
-    rows = list(chain_lines(found, _DETAILS))
+    rows = list(chain_lines(found))
     tones = [row.tone for row in rows]
     columns = [
-        Column("", [row.label for row in rows], "step", tones=tones),
-        Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
+        doc.Column("", [_with_unit(row) for row in rows], "step", tones=tones),
+        doc.Column(said("unit"), [row.unit for row in rows], "unit", only_in_files=True),
     ]
-    heads = {
-        "minimum": said_in("clearance", "minimum"),
-        "mean": said_in("clearance", "mean"),
-        "maximum": said_in("clearance", "maximum"),
-    }
-    columns += [
-        Column(
-            text,
-            [_number(row.values, place, row.unit) for row in rows],
-            key,
-            align="right",
-            tones=tones,
-        )
-        for place, (key, text) in enumerate(heads.items())
-    ]
+    for limit, (name, text) in enumerate(limit_heads().items()):
+        numbers = [_number(row.values, limit, row.unit) for row in rows]
+        columns.append(doc.Column(text, numbers, name, tones=tones))
     heading, key = said("Diametral clearance (µm)"), "clearance"
     if place is not None:
         heading = said("Diametral clearance (µm), row {number}", number=place)
         key = f"clearance_{place}"
-    table = Table(tuple(columns), key, gap=3)
-    return Section(heading, (table,), key)
+    table = doc.Table(tuple(columns), key, gap=3)
+    return doc.Section(heading, (table,), key)
 
 
-def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
+def _with_unit(line: ChainLine) -> str:
+    """Return the label of a line, with its unit where that is not the one of the heading."""
+    return line.label if line.unit == "µm" else f"{line.label} ({line.unit})"
+
+
+def _number(values: Sequence[float], place: int, unit: str) -> doc.CellContent:
     decimals = 2 if max(abs(float(in_unit(value, unit))) for value in values) < 1.0 else 1
-    return Number(values[place], f".{decimals}f [{unit}]")
+    return doc.Number(values[place], f".{decimals}f [{unit}]")
 
 
-def _sources(found: OperatingClearance) -> Section:
+def _sources(found: OperatingClearance) -> doc.Section:
     entries = tuple(
-        Entry(f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", "faint")
+        doc.Entry(f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", "faint")
         for step in found.steps
     )
-    return Section(said("Origin of the steps"), (KeyValues(entries, 2),), "sources")
+    return doc.Section(said("Origin of the steps"), (doc.KeyValues(entries, 2),), "sources")
 
 
-def _scatter(samples: ClearanceSamples) -> Section:
+def _scatter(samples: ClearanceSamples) -> doc.Section:
     percentiles = ", ".join(
         said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=clearance)
         for p in PERCENTILES
@@ -170,5 +158,5 @@ def _scatter(samples: ClearanceSamples) -> Section:
         "{count} bearings sampled from their tolerances",
         count=manner().fixed(len(samples.clearance), 0),
     )
-    blocks = tuple(Statement(text, indent=2) for text in texts)
-    return Section(heading, blocks, "samples")
+    blocks = tuple(doc.Statement(text, indent=2) for text in texts)
+    return doc.Section(heading, blocks, "samples")

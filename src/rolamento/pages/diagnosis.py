@@ -8,20 +8,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.frequencies import balls_of, contact_angle, failure_notes
 from rolamento.pages.notes import cautions, notes_section
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
@@ -37,14 +25,14 @@ if TYPE_CHECKING:
 __all__ = ["diagnosis_page"]
 
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
-_HEADLINES: Final[dict[str, Tone]] = {
+_HEADLINES: Final[dict[str, doc.Tone]] = {
     "fault": "bad-strong",
     "undecided": "warning-strong",
     "watch": "good-strong",
     "nothing_found": "good-strong",
     "no_verdict": "warning-strong",
 }
-_TONES: Final[dict[str, Tone]] = {
+_TONES: Final[dict[str, doc.Tone]] = {
     "fault": "bad-strong",
     "undecided": "warning-strong",
     "watch": "warning",
@@ -59,7 +47,7 @@ _OF_THE_SCALE: Final = {
 """What does not qualify a diagnosis: it does not depend on the scale of the samples."""
 
 
-def diagnosis_page(found: DiagnosisResult) -> Document:
+def diagnosis_page(found: DiagnosisResult) -> doc.Document:
     """Return the page of a diagnosis, or of a record that is too short for one."""
     if found.too_short is not None:
         return _too_short_page(found)
@@ -67,37 +55,37 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
     if not found.still:
         sections.append(_why(found.diagnosis))
     sections += _notes(found)
-    sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), "figures"))
+    sections.append(doc.Section("", (*_figures(found), _spectrum(found.diagnosis)), "figures"))
     title = f"{found.bearing_name}: {found.title}"
-    return Document(title, tuple(sections), kind="diagnose", main="spectrum")
+    return doc.Document(title, tuple(sections), kind="diagnose", main="spectrum")
 
 
-def _too_short_page(found: DiagnosisResult) -> Document:
-    statements = tuple(Statement(note.text, "warning-strong") for note in found.statement)
-    section = Section("", (*statements, Title(one_line(found.title))), "verdict")
-    return Document(found.title, (section,), kind="diagnose")
+def _too_short_page(found: DiagnosisResult) -> doc.Document:
+    statements = tuple(doc.Statement(note.text, "warning-strong") for note in found.statement)
+    section = doc.Section("", (*statements, doc.Title(one_line(found.title))), "verdict")
+    return doc.Document(found.title, (section,), kind="diagnose")
 
 
-def _verdict(found: DiagnosisResult) -> Section:
+def _verdict(found: DiagnosisResult) -> doc.Section:
     """Show the verdict, what to do, and what speaks against it."""
     tone = _HEADLINES[found.verdict]
-    statements = [Statement(note.text, tone) for note in found.statement]
-    statements += [Statement(note.text) for note in found.advice]
+    statements = [doc.Statement(note.text, tone) for note in found.statement]
+    statements += [doc.Statement(note.text) for note in found.advice]
     said_before = {note.key for note in found.statement}
     leading = (note for note in _noted(found) if note.key not in said_before | _OF_THE_SCALE)
-    blocks: tuple[Block, ...] = (*statements, *cautions(leading))
+    blocks: tuple[doc.Block, ...] = (*statements, *cautions(leading))
     keys = {note.key for note in found.notes}
     if found.solved is not None and "no_loaded_frequencies" in keys:
         blocks = (*blocks, *failure_notes(found.solved))
-    return Section("", blocks, "verdict")
+    return doc.Section("", blocks, "verdict")
 
 
 # --- what was given and measured ---------------------------------------------------------------
 
 
-def _facts(found: DiagnosisResult) -> Section:
+def _facts(found: DiagnosisResult) -> doc.Section:
     entries = (
-        Entry(
+        doc.Entry(
             said("bearing"),
             said(
                 "{name}: {balls}",
@@ -105,12 +93,12 @@ def _facts(found: DiagnosisResult) -> Section:
                 balls=balls_of(found.bearing, found.frequencies),
             ),
         ),
-        Entry(said("frequencies"), _frequencies(found.frequencies)),
-        Entry(said("shaft"), "\n".join(_speed(found))),
-        Entry(said("signal"), _signal(found)),
-        Entry(said("search"), "\n".join(_search(found))),
+        doc.Entry(said("frequencies"), _frequencies(found.frequencies)),
+        doc.Entry(said("shaft"), "\n".join(_speed(found))),
+        doc.Entry(said("signal"), _signal(found)),
+        doc.Entry(said("search"), "\n".join(_search(found))),
     )
-    return Section("", (Title(one_line(found.title)), KeyValues(entries)), "given")
+    return doc.Section("", (doc.Title(one_line(found.title)), doc.KeyValues(entries)), "given")
 
 
 def _frequencies(sought: FaultFrequencies) -> str:
@@ -260,55 +248,55 @@ def _search(found: DiagnosisResult) -> Iterable[str]:
 # --- the parts of the bearing ------------------------------------------------------------------
 
 
-def _parts(diagnosis: Diagnosis) -> Section:
+def _parts(diagnosis: Diagnosis) -> doc.Section:
     parts, element = diagnosis.components, diagnosis.element
     bands = [part.band or (None, None) for part in parts]
     columns = (
-        Column("", [part_name(part.component, element) for part in parts], "part"),
-        Column("", [ABBREVIATIONS[FAULTS[part.component]] for part in parts], "abbreviation"),
-        Column(
+        doc.Column("", [part_name(part.component, element) for part in parts], "part"),
+        doc.Column("", [ABBREVIATIONS[FAULTS[part.component]] for part in parts], "abbreviation"),
+        doc.Column(
             said_in("frequency", "expected"),
             [part.nominal_order * diagnosis.shaft_frequency for part in parts],
             "expected",
             "Hz",
             form=".2f [Hz]",
         ),
-        Column(
+        doc.Column(
             said_in("frequency", "found"),
             [part.frequency for part in parts],
             "found",
             "Hz",
             form=".2f [Hz]",
         ),
-        Column(
+        doc.Column(
             said_in("column", "deviation"),
             [part.deviation for part in parts],
             "deviation",
             "%",
             form=".2f [%]",
         ),
-        Column(
+        doc.Column(
             said_in("column", "depth"), [part.depth for part in parts], "depth", "%", form=".0f [%]"
         ),
-        Column(
+        doc.Column(
             said_in("column", "evidence"), [part.evidence for part in parts], "evidence", form=".1f"
         ),
-        Column(
+        doc.Column(
             said("verdict"),
             [_verdict_of(part) for part in parts],
             "verdict",
             tones=[_TONES[part.verdict] for part in parts],
         ),
-        Column(said("band"), [_band(part) for part in parts], "band", "kHz", align="right"),
+        doc.Column(said("band"), [_band(part) for part in parts], "band", "kHz", align="right"),
         *(
-            Column(head, [band[place] for band in bands], key, "kHz", only_in_files=True)
+            doc.Column(head, [band[place] for band in bands], key, "kHz", only_in_files=True)
             for place, (head, key) in enumerate(
                 ((said("from"), "band_low"), (said("to"), "band_high"))
             )
         ),
     )
-    table = Table(columns, "parts", legends=tuple(_legend(diagnosis)))
-    return Section(said("Parts"), (table,), "parts")
+    table = doc.Table(columns, "parts", legends=tuple(_legend(diagnosis)))
+    return doc.Section(said("Parts"), (table,), "parts")
 
 
 def _verdict_of(part: ComponentVerdict) -> str:
@@ -358,7 +346,7 @@ def _legend(diagnosis: Diagnosis) -> Iterable[str]:
         )
 
 
-def _why(diagnosis: Diagnosis) -> Section:
+def _why(diagnosis: Diagnosis) -> doc.Section:
     """Give the reasons, those of faults first; parts that have the same stand together."""
     unclear = ("nothing_found", "not_tested")
     parts = sorted(diagnosis.components, key=lambda part: part.verdict in unclear)
@@ -369,21 +357,21 @@ def _why(diagnosis: Diagnosis) -> Section:
     blocks = [
         block
         for text, names in by_reasons.items()
-        for block in (Statement(", ".join(names), indent=2), Statement(text, indent=4))
+        for block in (doc.Statement(", ".join(names), indent=2), doc.Statement(text, indent=4))
     ]
-    return Section(said("Why"), tuple(blocks), "why")
+    return doc.Section(said("Why"), tuple(blocks), "why")
 
 
 def _noted(found: DiagnosisResult) -> tuple[Note, ...]:
     return (*found.notes, *found.choices, *found.frequencies.notes)
 
 
-def _notes(found: DiagnosisResult) -> list[Section]:
+def _notes(found: DiagnosisResult) -> list[doc.Section]:
     rest = [note for note in _noted(found) if not qualifies(note) or note.key in _OF_THE_SCALE]
     return notes_section(rest)
 
 
-def _spectrum(diagnosis: Diagnosis) -> Table:
+def _spectrum(diagnosis: Diagnosis) -> doc.Table:
     """Return the spectrum of the squared envelope in the band of each fault, for files."""
     spectra, places = diagnosis.spectra, diagnosis.bands_shown
     count = len(spectra.order)
@@ -391,18 +379,18 @@ def _spectrum(diagnosis: Diagnosis) -> Table:
     above = np.concatenate([spectra.above_noise[place] for place in places])
     level = 10.0 * np.log10(above, out=np.full(above.shape, np.nan), where=above > 0.0)
     lows, highs = ([spectra.bands[p][end] for p in places for _ in range(count)] for end in (0, 1))
-    return Table(
+    return doc.Table(
         (
-            Column(said("band from"), lows, "band_low", "Hz"),
-            Column(said("band to"), highs, "band_high", "Hz"),
-            Column(said("order"), order, "order"),
-            Column(
+            doc.Column(said("band from"), lows, "band_low", "Hz"),
+            doc.Column(said("band to"), highs, "band_high", "Hz"),
+            doc.Column(said("order"), order, "order"),
+            doc.Column(
                 said("frequency"),
                 [one * diagnosis.shaft_frequency for one in order],
                 "frequency",
                 "Hz",
             ),
-            Column(said("over noise"), level.tolist(), "over_noise", "dB"),
+            doc.Column(said("over noise"), level.tolist(), "over_noise", "dB"),
         ),
         "spectrum",
         caption=said("Spectrum of the squared envelope"),
@@ -413,18 +401,20 @@ def _spectrum(diagnosis: Diagnosis) -> Table:
 # --- pictures ----------------------------------------------------------------------------------
 
 
-def _figures(found: DiagnosisResult) -> Iterable[Figure]:
+def _figures(found: DiagnosisResult) -> Iterable[doc.Figure]:
     fault = found.diagnosis.clearest_fault
     caption = said("The signal over time")
     if fault is not None:
         caption = said("The signal over time, with the impacts of the clearest fault")
-    yield Figure(caption, lambda: plots.impacts_figure(found.signal, found.diagnosis), "waveform")
-    yield Figure(
+    yield doc.Figure(
+        caption, lambda: plots.impacts_figure(found.signal, found.diagnosis), "waveform"
+    )
+    yield doc.Figure(
         said("Kurtogram: how impulsive the signal is, by frequency and bandwidth"),
         lambda: plots.kurtogram_figure(found.signal, band=None if fault is None else fault.band),
         "kurtogram",
     )
-    yield Figure(
+    yield doc.Figure(
         said("Spectrum of the squared envelope, with the frequencies of the bearing"),
         lambda: plots.envelope_figure(found.diagnosis),
         "envelope",

@@ -6,17 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from rolamento.document import (
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Notes,
-    Remark,
-    Section,
-    Table,
-    Title,
-)
+from rolamento import document as doc
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -27,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["export_page", "import_page", "written_page"]
 
 
-def import_page(found: Imported) -> Document:
+def import_page(found: Imported) -> doc.Document:
     """Return the page of an imported machine: what was taken, inferred and left out.
 
     Parameters
@@ -41,15 +31,15 @@ def import_page(found: Imported) -> Document:
     parts = Counter(
         part.partition(".")[0] for one in found.taken for part in one.part.split(", ") if part
     )
-    head = KeyValues((
-        Entry(said("file"), by),
-        Entry(said("machine"), ", ".join(f"{kind} {count}" for kind, count in parts.items())),
+    head = doc.KeyValues((
+        doc.Entry(said("file"), by),
+        doc.Entry(said("machine"), ", ".join(f"{kind} {count}" for kind, count in parts.items())),
     ))  # fmt: skip
     names = {one.component: one.name for one in found.taken}
-    return Document(
+    return doc.Document(
         title,
         (
-            Section("", (Title(title), head), "head"),
+            doc.Section("", (doc.Title(title), head), "head"),
             _taken(found),
             *_remarks(said("Inferred"), "inferred", found, names),
             *_remarks(said("Left out"), "left", found, names),
@@ -59,26 +49,28 @@ def import_page(found: Imported) -> Document:
     )
 
 
-def _taken(found: Imported) -> Section:
+def _taken(found: Imported) -> doc.Section:
     lines = [one for one in found.taken if one.part]
     columns = (
-        Column(said("part"), [one.part for one in lines], "part"),
-        Column(said("name"), [one.name for one in lines], "name"),
-        Column(said("type"), [one.type for one in lines], "type", once=True),
-        Column(
+        doc.Column(said("part"), [one.part for one in lines], "part"),
+        doc.Column(said("name"), [one.name for one in lines], "name"),
+        doc.Column(said("type"), [one.type for one in lines], "type", once=True),
+        doc.Column(
             said("component"), [one.component for one in lines], "component", only_in_files=True
         ),
-        Column(
+        doc.Column(
             said("attributes read"),
             [" ".join(one.attributes) for one in lines],
             "attributes",
             only_in_files=True,
         ),
     )
-    return Section(said("Taken"), (Table(columns, "taken"),), "taken")
+    return doc.Section(said("Taken"), (doc.Table(columns, "taken"),), "taken")
 
 
-def _remarks(heading: str, sort: str, found: Imported, names: dict[int, str]) -> Iterable[Section]:
+def _remarks(
+    heading: str, sort: str, found: Imported, names: dict[int, str]
+) -> Iterable[doc.Section]:
     """Remarks of a sort: each said once, with the components that it is about."""
     about: dict[str, list[str]] = {}
     keys: dict[str, str] = {}
@@ -92,13 +84,13 @@ def _remarks(heading: str, sort: str, found: Imported, names: dict[int, str]) ->
                 of.append(name)
     if about:
         remarks = tuple(
-            Remark(f"{', '.join(of)}: {text}" if of else text, keys[text])
+            doc.Remark(f"{', '.join(of)}: {text}" if of else text, keys[text])
             for text, of in about.items()
         )
-        yield Section(heading, (Notes(remarks),), sort)
+        yield doc.Section(heading, (doc.Notes(remarks),), sort)
 
 
-def export_page(found: Exported, path: str) -> Document:
+def export_page(found: Exported, path: str) -> doc.Document:
     """Return the page of an exported machine: what the file holds, and what others do not see.
 
     Parameters
@@ -112,20 +104,22 @@ def export_page(found: Exported, path: str) -> Document:
     title = said("Wrote {path}", path=path)
     parts = Counter(one.type for one in model.components)
     columns = (
-        Column(said("components"), list(parts), "type"),
-        Column(said("count"), list(parts.values()), "count", most=0),
+        doc.Column(said("components"), list(parts), "type"),
+        doc.Column(said("count"), list(parts.values()), "count", most=0),
     )
     sections = [
-        Section("", (Title(title),), "head"),
-        Section(said("REXS {version}", version=model.version), (Table(columns, "parts"),), "parts"),
+        doc.Section("", (doc.Title(title),), "head"),
+        doc.Section(
+            said("REXS {version}", version=model.version), (doc.Table(columns, "parts"),), "parts"
+        ),
     ]
     if found.notes:
-        remarks = {note.text: Remark(note.text, note.key) for note in found.notes}
-        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), "notes"))
-    return Document(title, tuple(sections), kind="rexs_export", main="parts")
+        remarks = {note.text: doc.Remark(note.text, note.key) for note in found.notes}
+        sections.append(doc.Section(said("Notes"), (doc.Notes(tuple(remarks.values())),), "notes"))
+    return doc.Document(title, tuple(sections), kind="rexs_export", main="parts")
 
 
-def written_page(found: Written, path: str) -> Document:
+def written_page(found: Written, path: str) -> doc.Document:
     """Return the page of a file for another program: what it has, and what it leaves out.
 
     Parameters
@@ -136,18 +130,18 @@ def written_page(found: Written, path: str) -> Document:
         Of the file that was written.
     """
     title = said("Wrote {path}", path=path)
-    sections = [Section("", (Title(title),), "head")]
+    sections = [doc.Section("", (doc.Title(title),), "head")]
     if found.elements:
-        sections.append(Section(said("Elements for ROSS"), (_elements(found),), "elements"))
+        sections.append(doc.Section(said("Elements for ROSS"), (_elements(found),), "elements"))
     elif found.mapped is not None:
-        sections.append(Section(said("Bearings"), (_maps(found.mapped),), "bearings"))
+        sections.append(doc.Section(said("Bearings"), (_maps(found.mapped),), "bearings"))
     if found.notes:
-        remarks = {note.text: Remark(note.text, note.key) for note in found.notes}
-        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), "notes"))
-    return Document(title, tuple(sections), kind=f"{found.kind}_export", main="elements")
+        remarks = {note.text: doc.Remark(note.text, note.key) for note in found.notes}
+        sections.append(doc.Section(said("Notes"), (doc.Notes(tuple(remarks.values())),), "notes"))
+    return doc.Document(title, tuple(sections), kind=f"{found.kind}_export", main="elements")
 
 
-def _elements(found: Written) -> Table:
+def _elements(found: Written) -> doc.Table:
     lines = found.elements
     first = {one.of: one for one in reversed(lines)}
 
@@ -156,16 +150,18 @@ def _elements(found: Written) -> Table:
 
     last = [one.stiffness[-1] for one in lines]
     columns = (
-        Column(said("element"), [one.name for one in lines], "element"),
-        Column(said("at"), [one.position for one in lines], "position", "mm"),
-        Column(said("up to"), [float(one.speed[-1]) for one in lines], "speed", "rpm"),
+        doc.Column(said("element"), [one.name for one in lines], "element"),
+        doc.Column(said("at"), [one.position for one in lines], "position", "mm"),
+        doc.Column(said("up to"), [float(one.speed[-1]) for one in lines], "speed", "rpm"),
         *(
-            Column(f"k_{2 * axis}", [float(k[place, place]) for k in last], f"k{2 * axis}", "N/µm")
+            doc.Column(
+                f"k_{2 * axis}", [float(k[place, place]) for k in last], f"k{2 * axis}", "N/µm"
+            )
             for place, axis in enumerate("xyz")
         ),
-        Column(said("left out:\nx, y–z"), once(0), "left_out_axial_radial", "N/µm"),
-        Column(said("shift–tilt"), once(1), "left_out_shift_tilt", "N/mrad"),
-        Column(said("tilt"), once(2), "left_out_tilt", "N·m/mrad"),
+        doc.Column(said("left out:\nx, y–z"), once(0), "left_out_axial_radial", "N/µm"),
+        doc.Column(said("shift–tilt"), once(1), "left_out_shift_tilt", "N/mrad"),
+        doc.Column(said("tilt"), once(2), "left_out_tilt", "N·m/mrad"),
     )
     legends = (
         said(
@@ -174,16 +170,18 @@ def _elements(found: Written) -> Table:
             " and none of tilts: the greatest of all speeds is what is left out"
         ),
     )
-    return Table(columns, "elements", legends=legends)
+    return doc.Table(columns, "elements", legends=legends)
 
 
-def _maps(mapped: Mapped) -> Table:
+def _maps(mapped: Mapped) -> doc.Table:
     maps = mapped.maps
     missing = [int((one.status != "converged").sum()) for one in maps]
     columns = (
-        Column(said("bearing"), [one.name for one in maps], "bearing"),
-        Column(said("over"), [", ".join(axis.field for axis in one.axes) for one in maps], "over"),
-        Column(said("points"), [one.status.size for one in maps], "points", most=0),
-        Column(said("without a\nresult"), missing, "missing", most=0),
+        doc.Column(said("bearing"), [one.name for one in maps], "bearing"),
+        doc.Column(
+            said("over"), [", ".join(axis.field for axis in one.axes) for one in maps], "over"
+        ),
+        doc.Column(said("points"), [one.status.size for one in maps], "points", most=0),
+        doc.Column(said("without a\nresult"), missing, "missing", most=0),
     )
-    return Table(columns, "bearings")
+    return doc.Table(columns, "bearings")

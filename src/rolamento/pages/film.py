@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import partial
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.document import Block, Column, Entry, KeyValues, Number, Section, Statement, Table
+from rolamento.document import Block, Column, Entry, KeyValues, Section, Statement, Table
 from rolamento.geometry import Race
 from rolamento.pages.notes import cautions
+from rolamento.pages.quantities import Quantity, beside
 from rolamento.solved import RACES
 from rolamento.words import marked, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.lubrication import Film
 
-__all__ = ["film_sections", "regime_name"]
+__all__ = ["FILMS", "film_sections", "regime_name"]
 
 _ZERO: Final = 273.15
 """K, at 0 °C."""
@@ -84,33 +87,29 @@ def _at_thinnest(film: Film, race: Race, name: str) -> float:
     return nan if element is None else float(getattr(film.of(race), name)[0, element])
 
 
+FILMS: Final = (
+    ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
+    ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
+    ("film_parameter", marked("film parameter λ"), ".3"),
+    ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
+    ("thermal_factor", marked("thermal factor"), ".3 %"),
+    ("starvation_factor", marked("starvation factor"), ".3 %"),
+)
+"""Numbers of the film of a contact: name, label, form."""
+
+
 def _thinnest(film: Film) -> Table:
-    shown = [
-        (said("central film h_c"), "central_thickness", "µm"),
-        (said("minimum film h_0"), "minimum_thickness", "µm"),
-        (said("film parameter λ"), "film_parameter", ""),
-        (said("entrainment speed"), "entrainment_speed", "m/s"),
-        (said("thermal factor"), "thermal_factor", "%"),
-        (said("starvation factor"), "starvation_factor", "%"),
+    rows: list[Quantity[Race]] = [
+        Quantity(said(label), partial(_at_thinnest, film, name=name), form)
+        for name, label, form in FILMS
     ]
-    values = {name: [_at_thinnest(film, race, name) for race in RACES] for _, name, _ in shown}
     shown = [
-        (label, name, unit)
-        for label, name, unit in shown
-        if unit != "%" or any(value < _WHOLE for value in values[name])
-    ]
-    columns = [Column("", [label for label, _, _ in shown], "quantity")]
+        row for row in rows
+        if row.shown_unit != "%" or any((row.number(race) or 0.0) < _WHOLE for race in RACES)
+    ]  # fmt: skip
     heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
-    columns += [
-        Column(
-            heads[race],
-            [Number(values[name][place], f".3 [{unit}]") for _, name, unit in shown],
-            race,
-        )
-        for place, race in enumerate(RACES)
-    ]
-    columns.append(Column("", [unit for _, _, unit in shown], "unit"))
-    return Table(tuple(columns), "thinnest_film")
+    label, unit, *values = beside(shown, [(race, heads[race], race) for race in RACES])
+    return Table((label, *values, replace(unit, head="")), "thinnest_film")
 
 
 def _regimes(film: Film) -> KeyValues:

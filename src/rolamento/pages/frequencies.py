@@ -6,21 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.pages.data import in_files
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.types import type_of_element
@@ -50,7 +38,7 @@ _OF_ROLLERS: Final[dict[LineName, str]] = {
 }
 
 
-def frequencies_page(found: FrequencyResult) -> Document:
+def frequencies_page(found: FrequencyResult) -> doc.Document:
     """Return the page of the fault frequencies of a bearing."""
     sections = [_head(found)]
     sections += [_lines(found, one) for one in found.by_source if isfinite(one.cage.order)]
@@ -59,7 +47,7 @@ def frequencies_page(found: FrequencyResult) -> Document:
         sections.append(_alternatives(found.alternatives, found.nominal.element))
     sections += notes_section(remarks_of(found.notes))
     sections.append(in_files("lines", _COLUMNS, _every_line(found)))
-    return Document(found.title, tuple(sections), kind="frequencies", main="lines")
+    return doc.Document(found.title, tuple(sections), kind="frequencies", main="lines")
 
 
 _COLUMNS: Final = {
@@ -71,7 +59,7 @@ _COLUMNS: Final = {
 """Low and high are a nominal line's band, or a loaded line's range over the balls."""
 
 
-def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
+def _every_line(found: FrequencyResult) -> Iterator[tuple[doc.CellContent, ...]]:
     """Return lines, harmonics and sidebands."""
     for one in found.by_source:
         shaft = one.shaft_frequency
@@ -92,9 +80,10 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
                     yield one.source, one.row, *called, *own, *[None] * 4
 
 
-def line_name(name: LineName, element: str) -> str:
+def line_name(name: LineName, *elements: str) -> str:
     """Return what a line of the frequencies is called, by what rolls."""
-    return worded((element,), said(_LINES[name]), said(_OF_ROLLERS[name]))
+    balls = said(_LINES[name])
+    return worded(elements, balls, said(_OF_ROLLERS[name]), balls)
 
 
 def balls_of(bearing: Bearing | RollerBearing, frequencies: FaultFrequencies) -> str:
@@ -130,11 +119,11 @@ def contact_angle(frequencies: FaultFrequencies) -> str:
     return said("contact angle {angle:.4 °}", angle=frequencies.inner_contact_angle)
 
 
-def failure_notes(solved: Solved) -> tuple[Notes, ...]:
+def failure_notes(solved: Solved) -> tuple[doc.Notes, ...]:
     """Say why there are no frequencies under load; nothing where there are some."""
     if solved.converged[0]:
         return ()
-    return (Notes((Remark(_failure(solved), "no_solution_no_frequencies", "warning"),)),)
+    return (doc.Notes((doc.Remark(_failure(solved), "no_solution_no_frequencies", "warning"),)),)
 
 
 def _failure(solved: Solved) -> str:
@@ -142,7 +131,7 @@ def _failure(solved: Solved) -> str:
     return said("The case has no solution: {reason}", reason=why_not(solved, advised=True))
 
 
-def _head(found: FrequencyResult) -> Section:
+def _head(found: FrequencyResult) -> doc.Section:
     nominal = found.nominal
     lines = [f"{balls_of(found.bearing, nominal)}; {contact_angle(nominal)}"]
     if isfinite(nominal.shaft_frequency):
@@ -155,9 +144,12 @@ def _head(found: FrequencyResult) -> Section:
     leading = cautions(notes)
     if found.solved is not None:
         leading = (*leading, *failure_notes(found.solved))
-    blocks: tuple[Block, ...] = (Title(found.title), Statement("\n".join(lines), indent=2))
+    blocks: tuple[doc.Block, ...] = (
+        doc.Title(found.title),
+        doc.Statement("\n".join(lines), indent=2),
+    )
     blocks += leading
-    return Section("", blocks, "given")
+    return doc.Section("", blocks, "given")
 
 
 def _speeds(nominal: FaultFrequencies) -> Iterable[str]:
@@ -170,14 +162,14 @@ def _speeds(nominal: FaultFrequencies) -> Iterable[str]:
 # --- lines -------------------------------------------------------------------------------------
 
 
-def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
+def _lines(found: FrequencyResult, one: FaultFrequencies) -> doc.Section:
     nominal, several = one.source == "nominal", bool(found.nominal.rows)
     lines = list(one.lines.values())
     columns = [
-        Column("", [line_name(name, one.element) for name in one.lines], "line"),
-        Column("", [ABBREVIATIONS[name] for name in one.lines], "abbreviation"),
-        Column(said("order"), [line.order for line in lines], "order", form=".4f"),
-        Column(
+        doc.Column("", [line_name(name, one.element) for name in one.lines], "line"),
+        doc.Column("", [ABBREVIATIONS[name] for name in one.lines], "abbreviation"),
+        doc.Column(said("order"), [line.order for line in lines], "order", form=".4f"),
+        doc.Column(
             said("frequency"),
             [line.frequency for line in lines],
             "frequency",
@@ -193,8 +185,8 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     if not nominal and found.solved is not None:
         legend = _loaded_legend(one, int(found.solved.loaded_elements[0, one.row]))
     name = f"{one.source}_{one.row}" if several else one.source
-    table = Table(tuple(columns), f"lines_{name}", legends=(legend,))
-    return Section(_heading(one, several=several), (table,), name)
+    table = doc.Table(tuple(columns), f"lines_{name}", legends=(legend,))
+    return doc.Section(_heading(one, several=several), (table,), name)
 
 
 def _loaded_legend(one: FaultFrequencies, count: int) -> str:
@@ -230,13 +222,13 @@ def _by_geometry() -> str:
     return said("By the geometry")
 
 
-def _band(one: FaultFrequencies) -> list[Column]:
+def _band(one: FaultFrequencies) -> list[doc.Column]:
     """What uncertainty leaves open, in orders and in Hz."""
     bands = [line.band for line in one.lines.values()]
     if not all(bands):
         return []
     return [
-        Column(head, [getattr(band, name) for band in bands], name, unit, form=form)
+        doc.Column(head, [getattr(band, name) for band in bands], name, unit, form=form)
         for head, name, unit, form in (
             (said("from"), "order_low", "", ".4f"),
             (said("to"), "order_high", "", ".4f"),
@@ -246,7 +238,7 @@ def _band(one: FaultFrequencies) -> list[Column]:
     ]
 
 
-def _spread(one: FaultFrequencies) -> list[Column]:
+def _spread(one: FaultFrequencies) -> list[doc.Column]:
     """Orders over the loaded balls."""
     heads = (
         ("minimum", said_in("order", "minimum")),
@@ -254,12 +246,12 @@ def _spread(one: FaultFrequencies) -> list[Column]:
         ("maximum", said_in("order", "maximum")),
     )
     return [
-        Column(head, [getattr(line, name) for line in one.lines.values()], name, form=".4f")
+        doc.Column(head, [getattr(line, name) for line in one.lines.values()], name, form=".4f")
         for name, head in heads
     ]
 
 
-def _harmonics(found: FrequencyResult) -> Section:
+def _harmonics(found: FrequencyResult) -> doc.Section:
     """Show a harmonic in a row, its sidebands beside it."""
     best = found.best
     in_hertz = isfinite(best.shaft_frequency) and best.shaft_frequency > 0.0
@@ -272,11 +264,15 @@ def _harmonics(found: FrequencyResult) -> Section:
     }
     rows = [(kind, number) for kind in FAULTS for number in numbers]
     columns = [
-        Column("", [part_name(kind, best.element) for kind, _ in rows], "part", once=True),
-        Column("", [ABBREVIATIONS[FAULTS[kind]] for kind, _ in rows], "abbreviation", once=True),
-        Column("", [Number(float(number), ".0f", behind="×") for _, number in rows], "harmonic"),
+        doc.Column("", [part_name(kind, best.element) for kind, _ in rows], "part", once=True),
+        doc.Column(
+            "", [ABBREVIATIONS[FAULTS[kind]] for kind, _ in rows], "abbreviation", once=True
+        ),
+        doc.Column(
+            "", [doc.Number(float(number), ".0f", behind="×") for _, number in rows], "harmonic"
+        ),
         *(
-            Column(
+            doc.Column(
                 f"{side:+d}".replace("-", "−") if side else "0",
                 [places.get((*row, side)) for row in rows],
                 f"sideband_{side}",
@@ -303,11 +299,11 @@ def _harmonics(found: FrequencyResult) -> Section:
         (False, "nominal"): said("Harmonics and sidebands by the geometry (orders)"),
         (False, "loaded"): said("Harmonics and sidebands under load (orders)"),
     }
-    table = Table(tuple(columns), "harmonics", legends=(legend,))
-    return Section(headings[in_hertz, best.source], (table,), "harmonics")
+    table = doc.Table(tuple(columns), "harmonics", legends=(legend,))
+    return doc.Section(headings[in_hertz, best.source], (table,), "harmonics")
 
 
-def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
+def _alternatives(alternatives: Sequence[Alternative], element: str) -> doc.Section:
     orders: tuple[tuple[LineName, str], ...] = (
         ("cage", said("cage")),
         ("ball_pass_outer", said_in("race", "outer")),
@@ -315,29 +311,31 @@ def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
         ("ball_spin_twice", part_name("ball", element)),
     )
     columns = (
-        Column(
+        doc.Column(
             "",
             [
-                Number(float(one.rank), ".0f", behind="" if one.reproduces else " ×")
+                doc.Number(float(one.rank), ".0f", behind="" if one.reproduces else " ×")
                 for one in alternatives
             ],
             "rank",
             align="left",
         ),
-        Column("Z", [one.ball_count for one in alternatives], "ball_count"),
-        Column(
+        doc.Column("Z", [one.ball_count for one in alternatives], "ball_count"),
+        doc.Column(
             "D", [one.ball_diameter for one in alternatives], "ball_diameter", "mm", form=".3f [mm]"
         ),
-        Column(
+        doc.Column(
             "d_m",
             [one.pitch_diameter for one in alternatives],
             "pitch_diameter",
             "mm",
             form=".2f [mm]",
         ),
-        Column(said("share"), [one.share for one in alternatives], "share", "%", form=".0f [%]"),
+        doc.Column(
+            said("share"), [one.share for one in alternatives], "share", "%", form=".0f [%]"
+        ),
         *(
-            Column(head, [one.orders[name] for one in alternatives], name, form=".4f")
+            doc.Column(head, [one.orders[name] for one in alternatives], name, form=".4f")
             for name, head in orders
         ),
     )
@@ -352,6 +350,6 @@ def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
             " tolerances; the band leaves it out."
         ),
     )
-    table = Table(columns, "alternatives", legends=(legend,))
+    table = doc.Table(columns, "alternatives", legends=(legend,))
     heading = said("Other geometries that the ratings allow (orders)")
-    return Section(heading, (table,), "alternatives")
+    return doc.Section(heading, (table,), "alternatives")

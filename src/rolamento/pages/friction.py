@@ -8,18 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.document import (
-    Block,
-    Column,
-    Document,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Tone,
-)
+from rolamento import document as doc
 from rolamento.friction.models import torque_model_name
 from rolamento.pages.given import case_page, head
 from rolamento.pages.notes import cautions
@@ -31,6 +20,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 __all__ = [
+    "SOURCES",
     "friction_page",
     "friction_sections",
     "power_name",
@@ -42,13 +32,14 @@ __all__ = [
     "validity_text",
 ]
 
-_SOURCES: Final = {
+SOURCES: Final = {
     "spin": marked("spin"),
-    "rolling_slip": marked("slip in rolling"),
+    "rolling_slip": marked("differential slip"),
     "rib": marked("sliding at the ribs"),
     "hysteresis": marked("elastic hysteresis"),
-    "rolling_resistance": marked("oil at the inlets"),
+    "rolling_resistance": marked("hydrodynamic rolling resistance"),
 }
+"""Sources of friction, by their names in `Friction.torque_by_source`."""
 _REASONS: Final = {
     "inertia": marked("inertia"),
     "full_film": marked("full film"),
@@ -67,17 +58,17 @@ _REASONS: Final = {
 """Why a model is not valid, in a cell; the notes of these keys say it in a sentence."""
 
 
-def friction_page(analysis: Analysis) -> Document:
+def friction_page(analysis: Analysis) -> doc.Document:
     """Return the page of the friction of one case; without a result it says why and what to do."""
     solved = analysis.solved
     whole = (*solved.notes[0], *analysis.notes)
-    sections: list[Section] = []
+    sections: list[doc.Section] = []
     if analysis.friction is not None:
         sections = [*friction_sections(solved, analysis.friction), *beside_sections(analysis)]
     return case_page(solved.case, head(solved), sections, "friction", "models", cautions=whole)
 
 
-def beside_sections(analysis: Analysis) -> list[Section]:
+def beside_sections(analysis: Analysis) -> list[doc.Section]:
     """Return what seals and an oil bath add to the friction of the contacts; nothing without."""
     friction, beside = analysis.friction, analysis.seals_and_bath
     if friction is None or beside is None:
@@ -91,21 +82,21 @@ def beside_sections(analysis: Analysis) -> list[Section]:
         lines.append((said("oil bath"), drag, drag * float(beside.speed[0])))
     torques, powers = [one for _, one, _ in lines], [one for _, _, one in lines]
     columns = (
-        Column("", [*(label for label, _, _ in lines), said("sum")], "source"),
-        Column(
+        doc.Column("", [*(label for label, _, _ in lines), said("sum")], "source"),
+        doc.Column(
             said("torque"), [*torques, sum(torques)], "torque", torque_unit([sum(torques)]), most=4
         ),
-        Column(said("power"), [*powers, sum(powers)], "power", power_unit([sum(powers)])),
+        doc.Column(said("power"), [*powers, sum(powers)], "power", power_unit([sum(powers)])),
     )
-    table = Table(columns, "seals_and_bath", rule=True)
-    remarks = tuple(Remark(note.text, note.key, "warning") for note in beside.notes)
-    blocks: tuple[Block, ...] = (table, *([Notes(remarks)] if remarks else []))
-    return [Section(said("Whole bearing, with seals and oil bath"), blocks, "seals_and_bath")]
+    table = doc.Table(columns, "seals_and_bath", rule=True)
+    remarks = tuple(doc.Remark(note.text, note.key, "warning") for note in beside.notes)
+    blocks: tuple[doc.Block, ...] = (table, *([doc.Notes(remarks)] if remarks else []))
+    return [doc.Section(said("Whole bearing, with seals and oil bath"), blocks, "seals_and_bath")]
 
 
 def source_name(source: str) -> str:
     """Return what a source of friction is called, by its name in `Friction.torque_by_source`."""
-    return said(_SOURCES[source])
+    return said(SOURCES[source])
 
 
 def torque_unit(values: Sequence[float]) -> str:
@@ -144,12 +135,12 @@ def _reason(key: str) -> str:
     return said(_REASONS[key])
 
 
-def friction_sections(solved: Solved, friction: Friction) -> list[Section]:
+def friction_sections(solved: Solved, friction: Friction) -> list[doc.Section]:
     """Return the friction of a single solved case: torque and heat by source, and the models."""
     return [torque_and_power(solved, friction), *_sources(friction), _models(solved, friction)]
 
 
-def torque_and_power(solved: Solved, friction: Friction) -> Section:
+def torque_and_power(solved: Solved, friction: Friction) -> doc.Section:
     """Return torque and power loss of a single solved case, and what qualifies them."""
     lubricant = solved.case.lubricant
     assert lubricant is not None
@@ -165,8 +156,12 @@ def torque_and_power(solved: Solved, friction: Friction) -> Section:
             name=lubricant.name,
         )
     notes = friction.qualifications(solved)
-    blocks: tuple[Block, ...] = (Statement(named, indent=2), _totals(friction), *cautions(notes))
-    return Section(said("Friction"), blocks, "friction")
+    blocks: tuple[doc.Block, ...] = (
+        doc.Statement(named, indent=2),
+        _totals(friction),
+        *cautions(notes),
+    )
+    return doc.Section(said("Friction"), blocks, "friction")
 
 
 def power_name(friction: Friction, case: int = 0) -> str:
@@ -179,7 +174,7 @@ def torque_name(friction: Friction, case: int = 0) -> str:
     return said("running torque, at most") if friction.upper_bound[case] else said("running torque")
 
 
-def _totals(friction: Friction) -> Table:
+def _totals(friction: Friction) -> doc.Table:
     from rolamento.friction.line_losses import RIB_COEFFICIENT
 
     running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
@@ -192,12 +187,14 @@ def _totals(friction: Friction) -> Table:
     torque, watt = torque_unit([value for _, value in rows]), power_unit([power])
     units = [torque] * len(rows) + [watt]
     rows.append((power_name(friction), power))
-    values = [Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)]
+    values = [
+        doc.Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)
+    ]
     labels = [label for label, _ in rows]
     columns = (
-        Column("", labels, "quantity"),
-        Column("", values, "value", tone="strong"),
-        Column("", units, "unit"),
+        doc.Column("", labels, "quantity"),
+        doc.Column("", values, "value", tone="strong"),
+        doc.Column("", units, "unit"),
     )
     legends: tuple[str, ...] = ()
     if float(friction.torque_by_source.get("rib", [0.0])[0]) > 0.0:
@@ -207,16 +204,16 @@ def _totals(friction: Friction) -> Table:
             coefficient=RIB_COEFFICIENT,
         )
         legends = (text,)
-    return Table(columns, "friction", headless=True, legends=legends)
+    return doc.Table(columns, "friction", headless=True, legends=legends)
 
 
-def _sources(friction: Friction) -> list[Section]:
+def _sources(friction: Friction) -> list[doc.Section]:
     """Show torque and heat of every source, the heat by race, and their sums."""
-    names = [name for name in _SOURCES if name in friction.torque_by_source]
+    names = [name for name in SOURCES if name in friction.torque_by_source]
     torque = [float(friction.torque_by_source[name][0]) for name in names]
     columns = [
-        Column("", [*(source_name(name) for name in names), said("sum")], "source"),
-        Column(said("torque"), [*torque, sum(torque)], "torque", torque_unit(torque), most=4),
+        doc.Column("", [*(source_name(name) for name in names), said("sum")], "source"),
+        doc.Column(said("torque"), [*torque, sum(torque)], "torque", torque_unit(torque), most=4),
     ]
     heat = np.array(
         [[friction.heat[name].inner[0].sum(), friction.heat[name].outer[0].sum()] for name in names]
@@ -225,7 +222,7 @@ def _sources(friction: Friction) -> list[Section]:
         watt = power_unit(heat.sum(axis=0).tolist())
         heads = {"inner": said("heat, inner"), "outer": said("heat, outer")}
         columns += [
-            Column(
+            doc.Column(
                 text,
                 [*heat[:, place].tolist(), float(heat[:, place].sum())],
                 f"{race}_heat",
@@ -243,11 +240,11 @@ def _sources(friction: Friction) -> list[Section]:
         legend = said(
             "torque and heat of the contacts; seals, cage and churning of the oil are not included"
         )
-    table = Table(tuple(columns), "sources", legends=(legend,), gap=3)
-    return [Section("", (table,), "sources")]
+    table = doc.Table(tuple(columns), "sources", legends=(legend,), gap=3)
+    return [doc.Section("", (table,), "sources")]
 
 
-def _models(solved: Solved, friction: Friction) -> Section:
+def _models(solved: Solved, friction: Friction) -> doc.Section:
     """Show the torque of every model and whether it is valid here; the one in use in bold."""
     from rolamento.friction.models import TORQUE_MODELS
 
@@ -265,10 +262,10 @@ def _models(solved: Solved, friction: Friction) -> Section:
         text = said("yes") if valid else _refused(["full_film"])
         entries.append(("friction_control", own, own + added, text, valid))
     unit = torque_unit([own for _, own, _, _, _ in entries])
-    tones: list[Tone] = ["strong" if entry[0] == friction.model else "" for entry in entries]
+    tones: list[doc.Tone] = ["strong" if entry[0] == friction.model else "" for entry in entries]
     columns = (
-        Column("", [torque_model_name(entry[0]) for entry in entries], "model", tones=tones),
-        Column(
+        doc.Column("", [torque_model_name(entry[0]) for entry in entries], "model", tones=tones),
+        doc.Column(
             said("contacts"),
             [entry[1] for entry in entries],
             "contact_torque",
@@ -276,8 +273,10 @@ def _models(solved: Solved, friction: Friction) -> Section:
             most=4,
             tones=tones,
         ),
-        Column(said("total"), [entry[2] for entry in entries], "torque", unit, most=4, tones=tones),
-        Column(
+        doc.Column(
+            said("total"), [entry[2] for entry in entries], "torque", unit, most=4, tones=tones
+        ),
+        doc.Column(
             said("valid here"),
             [entry[3] for entry in entries],
             "valid",
@@ -287,5 +286,5 @@ def _models(solved: Solved, friction: Friction) -> Section:
     legends: tuple[str, ...] = ()
     if friction.judged != friction.validity:
         legends = (said("the models of Jones, Harris and Todd are for balls"),)
-    table = Table(columns, "models", legends=legends)
-    return Section(said("Friction torque by model"), (table,), "models")
+    table = doc.Table(columns, "models", legends=legends)
+    return doc.Section(said("Friction torque by model"), (table,), "models")

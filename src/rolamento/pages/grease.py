@@ -6,20 +6,8 @@ from collections.abc import Iterator
 from math import isfinite, isnan
 from typing import TYPE_CHECKING
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Tone,
-)
 from rolamento.pages.given import case_page, head, picture
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.units import HOUR
@@ -35,7 +23,7 @@ __all__ = ["grease_page", "grease_statement", "oil_page", "oil_section"]
 _HOURS = ".3r [h]"
 
 
-def grease_page(found: GreaseCase) -> Document:
+def grease_page(found: GreaseCase) -> doc.Document:
     """Return the grease of one case.
 
     Parameters
@@ -45,7 +33,7 @@ def grease_page(found: GreaseCase) -> Document:
     """
     solved = found.solved
     blocks = (*grease_statement(found), *cautions(found.notes))
-    sections = [Section(said("Grease"), blocks, "grease")]
+    sections = [doc.Section(said("Grease"), blocks, "grease")]
     if found.lives:
         sections.append(_lives(found))
         caption = said("Life of the grease over the temperature")
@@ -59,7 +47,7 @@ def grease_page(found: GreaseCase) -> Document:
     return case_page(solved.case, head(solved), sections, "grease", "lives", remarks=remarks)
 
 
-def grease_statement(found: GreaseCase) -> Iterator[Block]:
+def grease_statement(found: GreaseCase) -> Iterator[doc.Block]:
     """Yield how long the grease lives or when it wants renewing, in a sentence."""
     low, high = found.spread
     if isfinite(found.hours):
@@ -71,7 +59,7 @@ def grease_statement(found: GreaseCase) -> Iterator[Block]:
             count=sum(one.valid for one in found.lives),
             l10=HOUR * found.l10,
         )
-        yield Statement(text, "strong", indent=2)
+        yield doc.Statement(text, "strong", indent=2)
         return
     if found.intervals:
         low, high = found.interval
@@ -88,21 +76,23 @@ def grease_statement(found: GreaseCase) -> Iterator[Block]:
                 high=HOUR * high,
                 amount=1e3 * found.amount_side,
             )
-        yield Statement(text, "strong", indent=2)
+        yield doc.Statement(text, "strong", indent=2)
         return
     text = said("No law gives a life of the grease or an interval for this case.")
-    yield Statement(text, "warning", indent=2)
+    yield doc.Statement(text, "warning", indent=2)
 
 
-def _lives(found: GreaseCase) -> Section:
-    tones: list[Tone] = ["" if one.valid else "warning" for one in found.lives]
-    hours: list[CellContent] = [Number(HOUR * one.hours, _HOURS) for one in found.lives]
+def _lives(found: GreaseCase) -> doc.Section:
+    tones: list[doc.Tone] = ["" if one.valid else "warning" for one in found.lives]
+    hours: list[doc.CellContent] = [doc.Number(HOUR * one.hours, _HOURS) for one in found.lives]
     notes = ["; ".join(note.text for note in one.notes) or ABSENT for one in found.lives]
     columns = (
-        Column("", [said(LAWS[one.name]) for one in found.lives], "law", tones=tones),
-        Column(said("mean life"), hours, "hours", "h", align="right", tones=tones),
-        Column(said("range"), notes, "notes", tone="faint"),
-        Column(said("source"), [one.source for one in found.lives], "source", only_in_files=True),
+        doc.Column("", [said(LAWS[one.name]) for one in found.lives], "law", tones=tones),
+        doc.Column(said("mean life"), hours, "hours", "h", align="right", tones=tones),
+        doc.Column(said("range"), notes, "notes", tone="faint"),
+        doc.Column(
+            said("source"), [one.source for one in found.lives], "source", only_in_files=True
+        ),
     )
     duty = found.duty
     legend = said(
@@ -112,11 +102,11 @@ def _lives(found: GreaseCase) -> Section:
         product=duty.speed_factor,
         load=duty.load_ratio,
     )
-    table = Table(columns, "lives", legends=(legend,), rule=True, fixed=1)
-    return Section(said("Life of the grease"), (table,), "lives")
+    table = doc.Table(columns, "lives", legends=(legend,), rule=True, fixed=1)
+    return doc.Section(said("Life of the grease"), (table,), "lives")
 
 
-def _intervals(found: GreaseCase) -> Section:
+def _intervals(found: GreaseCase) -> doc.Section:
     acting = (
         name
         for one in found.intervals
@@ -124,17 +114,17 @@ def _intervals(found: GreaseCase) -> Section:
         if pair != (1.0, 1.0) or name == "temperature"
     )
     names = list(dict.fromkeys(acting))
-    columns = [Column("", [said(SETS[one.name]) for one in found.intervals], "set")]
+    columns = [doc.Column("", [said(SETS[one.name]) for one in found.intervals], "set")]
     for end, head_ in (("low", said("from")), ("high", said("to"))):
-        values: list[CellContent] = [
-            Number(HOUR * getattr(one, end), _HOURS) for one in found.intervals
+        values: list[doc.CellContent] = [
+            doc.Number(HOUR * getattr(one, end), _HOURS) for one in found.intervals
         ]
-        columns.append(Column(head_, values, end, "h", align="right"))
+        columns.append(doc.Column(head_, values, end, "h", align="right"))
     for name in names:
         texts = [_factor(one.factors.get(name)) for one in found.intervals]
-        columns.append(Column(said(FACTORS[name]), texts, name, align="right"))
+        columns.append(doc.Column(said(FACTORS[name]), texts, name, align="right"))
     columns.append(
-        Column(
+        doc.Column(
             said("source"), [one.source for one in found.intervals], "source", only_in_files=True
         )
     )
@@ -143,18 +133,18 @@ def _intervals(found: GreaseCase) -> Section:
         " knowledge of its publication",
         base=HOUR * found.base,
     )
-    table = Table(tuple(columns), "intervals", legends=(legend,), rule=True, fixed=1)
-    blocks: list[Block] = [table]
+    table = doc.Table(tuple(columns), "intervals", legends=(legend,), rule=True, fixed=1)
+    blocks: list[doc.Block] = [table]
     if isfinite(found.amount_side):
         entries = [
-            Entry(said("SKF, from the side"), _grams(found.amount_side)),
-            Entry(said("SKF, through the outer ring"), _grams(found.amount_middle)),
+            doc.Entry(said("SKF, from the side"), _grams(found.amount_side)),
+            doc.Entry(said("SKF, through the outer ring"), _grams(found.amount_middle)),
         ]
         if isfinite(found.amount_fag):
-            entries.append(Entry(said("FAG, by the interval"), _grams(found.amount_fag)))
-        blocks.append(Statement(said("Amount of each relubrication"), indent=2))
-        blocks.append(KeyValues(tuple(entries), 4))
-    return Section(said("Relubrication"), tuple(blocks), "intervals")
+            entries.append(doc.Entry(said("FAG, by the interval"), _grams(found.amount_fag)))
+        blocks.append(doc.Statement(said("Amount of each relubrication"), indent=2))
+        blocks.append(doc.KeyValues(tuple(entries), 4))
+    return doc.Section(said("Relubrication"), tuple(blocks), "intervals")
 
 
 def _grams(kilograms: float) -> str:
@@ -170,12 +160,12 @@ def _factor(pair: tuple[float, float] | None) -> str:
     return said("{low:.3}–{high:.3}", low=low, high=high)
 
 
-def _limits(found: GreaseCase) -> Section:
+def _limits(found: GreaseCase) -> doc.Section:
     duty, (low, high) = found.duty, found.usable
     hot = not low <= duty.temperature <= high
     fast = duty.speed_ratio > 1.0
     entries = [
-        Entry(
+        doc.Entry(
             said("temperature"),
             said(
                 "{temperature:.4 °C}; the grease may be used from {low:.4 [°C]} to {high:.4 °C}",
@@ -197,15 +187,15 @@ def _limits(found: GreaseCase) -> Section:
             limit=duty.limiting_speed,
             product=duty.speed_factor,
         )
-    entries.append(Entry(said("speed"), text, "warning" if fast else ""))
-    return Section(said("Limits"), (KeyValues(tuple(entries), 2),), "limits")
+    entries.append(doc.Entry(said("speed"), text, "warning" if fast else ""))
+    return doc.Section(said("Limits"), (doc.KeyValues(tuple(entries), 2),), "limits")
 
 
-def _which(found: GreaseCase) -> Section:
+def _which(found: GreaseCase) -> doc.Section:
     oil, duty = found.oil, found.duty
     assert oil is not None
     entries = [
-        Entry(
+        doc.Entry(
             said("base oil for κ = {kappa:.3}", kappa=oil.required),
             said(
                 "{needed:.3 mm²/s} at 40 °C, {at:.3 mm²/s} at {temperature:.4 °C}",
@@ -214,7 +204,7 @@ def _which(found: GreaseCase) -> Section:
                 temperature=duty.temperature,
             ),
         ),
-        Entry(
+        doc.Entry(
             said("thickener and base oil"),
             said(
                 "{thickener} with {base_oil}",
@@ -222,9 +212,9 @@ def _which(found: GreaseCase) -> Section:
                 base_oil=said(BASE_OILS[duty.base_oil]),
             ),
         ),
-        Entry(said("consistency"), _nlgi(found)),
+        doc.Entry(said("consistency"), _nlgi(found)),
     ]
-    return Section(said("Which grease"), (KeyValues(tuple(entries), 2),), "which")
+    return doc.Section(said("Which grease"), (doc.KeyValues(tuple(entries), 2),), "which")
 
 
 def _nlgi(found: GreaseCase) -> str:
@@ -238,7 +228,7 @@ def _nlgi(found: GreaseCase) -> str:
 # --- an oil ---------------------------------------------------------------------------------------
 
 
-def oil_page(found: OilChoice, title: str) -> Document:
+def oil_page(found: OilChoice, title: str) -> doc.Document:
     """Return the ISO viscosity grades for a required κ over a range of temperatures.
 
     Parameters
@@ -252,7 +242,7 @@ def oil_page(found: OilChoice, title: str) -> Document:
 
     if found.chosen is None:
         text = said("No ISO grade gives κ = {kappa:.3}.", kappa=found.required)
-        statement = Statement(text, "bad-strong", indent=2)
+        statement = doc.Statement(text, "bad-strong", indent=2)
     else:
         chosen = found[found.chosen]
         text = said(
@@ -263,36 +253,36 @@ def oil_page(found: OilChoice, title: str) -> Document:
             hottest=found.hottest,
             coldest=found.coldest,
         )
-        statement = Statement(text, "strong", indent=2)
+        statement = doc.Statement(text, "strong", indent=2)
     sections = [
-        Section("", (Title(title), statement, *cautions(found.notes)), "head"),
+        doc.Section("", (Title(title), statement, *cautions(found.notes)), "head"),
         oil_section(found),
         *notes_section(remarks_of(found.notes)),
     ]
-    return Document(title, tuple(sections), kind="oil", main="grades")
+    return doc.Document(title, tuple(sections), kind="oil", main="grades")
 
 
-def oil_section(found: OilChoice) -> Section:
+def oil_section(found: OilChoice) -> doc.Section:
     """Return the grades side by side, the one to take in front."""
     grades = found.grades
-    tones: list[Tone] = [
+    tones: list[doc.Tone] = [
         "strong" if one.name == found.chosen else "faint" if one.ratio_hot < found.required else ""
         for one in grades
     ]
     columns = [
-        Column(
+        doc.Column(
             "",
             ["▸" if one.name == found.chosen else "" for one in grades],
             "leads",
             tone="good-strong",
         ),
-        Column(said("grade"), [one.name for one in grades], "grade", tones=tones),
+        doc.Column(said("grade"), [one.name for one in grades], "grade", tones=tones),
     ]
     for end, temperature in (("cold", found.coldest), ("hot", found.hottest)):
         where = said("{temperature:.4 °C}", temperature=temperature)
         ratios = [getattr(one, f"ratio_{end}") for one in grades]
         columns += [
-            Column(
+            doc.Column(
                 said("ν at {where}", where=where),
                 [getattr(one, f"viscosity_{end}") for one in grades],
                 f"viscosity_{end}",
@@ -300,7 +290,7 @@ def oil_section(found: OilChoice) -> Section:
                 form=".3 [mm²/s]",
                 tones=tones,
             ),
-            Column(
+            doc.Column(
                 said("κ at {where}", where=where), ratios, f"ratio_{end}", form=".3", tones=tones
             ),
         ]
@@ -314,5 +304,5 @@ def oil_section(found: OilChoice) -> Section:
         kappa=found.required,
         needed=found.needed_40,
     )
-    table = Table(tuple(columns), "grades", legends=(legend,), rule=True, fixed=2)
-    return Section(said("Grades"), (table,), "grades")
+    table = doc.Table(tuple(columns), "grades", legends=(legend,), rule=True, fixed=2)
+    return doc.Section(said("Grades"), (table,), "grades")

@@ -7,21 +7,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.heat import CONDUCTANCES, NODES
 from rolamento.pages.across import cautions_over, failures, field_column
 from rolamento.pages.friction import torque_unit
@@ -49,7 +36,7 @@ _OF_HEAT: Final = (
 _STABLE: Final = {True: marked("stable"), False: marked("unstable")}
 
 
-def heat_page(found: HeatBalance) -> Document:
+def heat_page(found: HeatBalance) -> doc.Document:
     """Return the heat balance of a case: its state, where the heat goes, cold beside warm.
 
     Parameters
@@ -66,7 +53,7 @@ def heat_page(found: HeatBalance) -> Document:
         sections.append(picture(caption, lambda: plots.heat_figure(found), "heat"))
     return case_page(
         found.case,
-        Section("", (Title(title_of(found.case)), *_headline(found)), "head"),
+        doc.Section("", (doc.Title(title_of(found.case)), *_headline(found)), "head"),
         sections,
         "heat",
         "nodes",
@@ -74,7 +61,7 @@ def heat_page(found: HeatBalance) -> Document:
     )
 
 
-def heat_blocks(found: HeatBalance) -> list[Block]:
+def heat_blocks(found: HeatBalance) -> list[doc.Block]:
     """Return a heat balance as a part of a report: its state, temperatures, flows, cold and warm.
 
     Parameters
@@ -89,15 +76,15 @@ def heat_blocks(found: HeatBalance) -> list[Block]:
     return [*own, *remarks]
 
 
-def _headline(found: HeatBalance) -> Iterator[Block]:
+def _headline(found: HeatBalance) -> Iterator[doc.Block]:
     """Yield temperatures, preload and how stable they are; else why there is no state."""
     root, warm = found.root, found.warm
     if root is None or warm is None:
-        yield Statement(reason(found.status), "bad-strong")
+        yield doc.Statement(reason(found.status), "bad-strong")
         return
     at = root.temperatures
     entries = [
-        Entry(
+        doc.Entry(
             said("temperatures"),
             said(
                 "inner ring {inner:.1f °C}, outer ring {outer:.1f °C}, housing {housing:.1f °C}",
@@ -106,23 +93,23 @@ def _headline(found: HeatBalance) -> Iterator[Block]:
                 housing=at["housing"],
             ),
         ),
-        Entry(said("power loss"), Number(root.power, ".4 W")),
+        doc.Entry(said("power loss"), doc.Number(root.power, ".4 W")),
     ]
     if found.cold.preload is not None and warm.preload is not None:
         text = said(
             "{cold:.4 [N]} → {warm:.4 N} (cold → warm)", cold=found.cold.preload, warm=warm.preload
         )
-        entries.append(Entry(said("preload"), text))
+        entries.append(doc.Entry(said("preload"), text))
     entries.append(
-        Entry(
+        doc.Entry(
             said("stability"),
             said("stable: one watt of heat more makes {slope:.3} W of friction", slope=root.slope),
         )
     )
-    yield KeyValues(tuple(entries))
+    yield doc.KeyValues(tuple(entries))
 
 
-def _nodes(found: HeatBalance) -> Section:
+def _nodes(found: HeatBalance) -> doc.Section:
     root = found.root
     assert root is not None
     heated = dict.fromkeys(NODES, 0.0)
@@ -130,24 +117,23 @@ def _nodes(found: HeatBalance) -> Section:
         if flow.start in ("friction", "outside"):
             heated[flow.end] += flow.power
     most = max(root.temperatures.values())
-    tones: list[Tone] = ["strong" if root.temperatures[one] == most else "" for one in NODES]
+    tones: list[doc.Tone] = ["strong" if root.temperatures[one] == most else "" for one in NODES]
     columns = (
-        Column("", [said(PLACE_NAMES[one]) for one in NODES], "node", tones=tones),
-        Column(
+        doc.Column("", [said(PLACE_NAMES[one]) for one in NODES], "node", tones=tones),
+        doc.Column(
             said("temperature"),
-            [Number(root.temperatures[one], ".1f [°C]") for one in NODES],
+            [doc.Number(root.temperatures[one], ".1f [°C]") for one in NODES],
             "temperature",
             "°C",
-            align="right",
             tones=tones,
         ),
-        Column(said("heat put in"), [heated[one] for one in NODES], "heat", "W", tones=tones),
+        doc.Column(said("heat put in"), [heated[one] for one in NODES], "heat", "W", tones=tones),
     )
-    table = Table(columns, "nodes", rule=True, fixed=1)
-    return Section(said("Temperatures"), (table,), "nodes")
+    table = doc.Table(columns, "nodes", rule=True, fixed=1)
+    return doc.Section(said("Temperatures"), (table,), "nodes")
 
 
-def _flows(found: HeatBalance) -> Section:
+def _flows(found: HeatBalance) -> doc.Section:
     by_ends = {ends: name for name, ends in CONDUCTANCES.items()}
     network, labels, powers, values, origin = found.network, [], [], [], []
     for flow in found.flows:
@@ -162,16 +148,16 @@ def _flows(found: HeatBalance) -> Section:
         is_estimate = name in network.estimated
         origin.append(said("estimated") if is_estimate else said("given"))
     columns = (
-        Column("", labels, "between"),
-        Column(said("heat flow"), powers, "power", "W"),
-        Column(said("conductance"), values, "conductance", "W/K", figures=3),
-        Column("", origin, "origin", tone="faint"),
+        doc.Column("", labels, "between"),
+        doc.Column(said("heat flow"), powers, "power", "W"),
+        doc.Column(said("conductance"), values, "conductance", "W/K", figures=3),
+        doc.Column("", origin, "origin", tone="faint"),
     )
-    table = Table(columns, "flows", rule=True, fixed=1)
-    return Section(said("Heat flows"), (table,), "flows")
+    table = doc.Table(columns, "flows", rule=True, fixed=1)
+    return doc.Section(said("Heat flows"), (table,), "flows")
 
 
-def _states_beside(found: HeatBalance) -> Section:
+def _states_beside(found: HeatBalance) -> doc.Section:
     """Cold beside warm, line by line."""
     states: list[HeatState] = [found.cold, *([found.warm] if found.warm is not None else [])]
     temperatures: list[Quantity[HeatState]] = [
@@ -203,8 +189,8 @@ def _states_beside(found: HeatBalance) -> Section:
     heads = (("cold", said("cold")), ("warm", said("warm")))
     things = [(*head, state) for head, state in zip(heads, states, strict=False)]
     heading = said("Cold and warm") if len(states) > 1 else said("Cold")
-    table = Table(tuple(beside(shown, things)), "states", rule=True, fixed=1)
-    return Section(heading, (table,), "states")
+    table = doc.Table(tuple(beside(shown, things)), "states", rule=True, fixed=1)
+    return doc.Section(heading, (table,), "states")
 
 
 def _of_rows(
@@ -222,33 +208,32 @@ def _of_rows(
     return [of_row(row) for row in range(rows)]
 
 
-def _roots(found: HeatBalance) -> Section:
+def _roots(found: HeatBalance) -> doc.Section:
     roots = found.roots
-    tones: list[Tone] = ["" if one.stable else "warning" for one in roots]
+    tones: list[doc.Tone] = ["" if one.stable else "warning" for one in roots]
     columns = [
-        Column("", [said(_STABLE[one.stable]) for one in roots], "stability", tones=tones),
-        Column(said("power loss"), [one.power for one in roots], "power", "W"),
+        doc.Column("", [said(_STABLE[one.stable]) for one in roots], "stability", tones=tones),
+        doc.Column(said("power loss"), [one.power for one in roots], "power", "W"),
     ]
     columns += [
-        Column(
+        doc.Column(
             said(PLACE_NAMES[node]),
-            [Number(one.temperatures[node], ".1f [°C]") for one in roots],
+            [doc.Number(one.temperatures[node], ".1f [°C]") for one in roots],
             node,
             "°C",
-            align="right",
         )
         for node in NODES
     ]
-    columns.append(Column("dF/dP", [one.slope for one in roots], "slope", "–", figures=3))
+    columns.append(doc.Column("dF/dP", [one.slope for one in roots], "slope", "–", figures=3))
     legend = said("dF/dP how much friction a watt of heat more makes; stable below 1")
-    table = Table(tuple(columns), "roots", legends=(legend,), rule=True, fixed=1)
-    return Section(said("All states below the temperature limit"), (table,), "roots")
+    table = doc.Table(tuple(columns), "roots", legends=(legend,), rule=True, fixed=1)
+    return doc.Section(said("All states below the temperature limit"), (table,), "roots")
 
 
 # --- over a field ---------------------------------------------------------------------------------
 
 
-def heat_over_page(found: HeatOver) -> Document:
+def heat_over_page(found: HeatOver) -> doc.Document:
     """Return the heat balance over a field.
 
     Parameters
@@ -260,40 +245,40 @@ def heat_over_page(found: HeatOver) -> Document:
     across = field_column(found.field, found.values)
     columns = [across]
     for node, values in zip(NODES, found.temperatures, strict=True):
-        cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
-        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
-    columns.append(Column(said("power loss"), found.power.tolist(), "power", "W"))
+        cells: list[doc.CellContent] = [doc.Number(value, ".1f [°C]") for value in values.tolist()]
+        columns.append(doc.Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(doc.Column(said("power loss"), found.power.tolist(), "power", "W"))
     if found.has_preload:
         for head, key, values in (
             (said("preload, cold"), "cold_preload", found.cold_preload),
             (said("preload, warm"), "warm_preload", found.warm_preload),
         ):
-            columns.append(Column(head, values.tolist(), key, "N"))
+            columns.append(doc.Column(head, values.tolist(), key, "N"))
     columns += [
-        Column("p", found.max_pressure.tolist(), "max_pressure", "MPa"),
-        Column("dF/dP", found.slope.tolist(), "slope", "–", figures=3),
+        doc.Column("p", found.max_pressure.tolist(), "max_pressure", "MPa"),
+        doc.Column("dF/dP", found.slope.tolist(), "slope", "–", figures=3),
         *(
-            Column(head, values.tolist(), key, unit, only_in_files=True)
+            doc.Column(head, values.tolist(), key, unit, only_in_files=True)
             for head, values, unit, key in (
                 (said("axial stiffness"), found.axial_stiffness, "N/µm", "axial_stiffness"),
                 (said("free contact angle"), found.contact_angle, "°", "contact_angle"),
                 (said("viscosity ratio κ"), found.viscosity_ratio, "", "viscosity_ratio"),
             )
         ),
-        Column(said("status"), found.status.tolist(), "status", only_in_files=True),
+        doc.Column(said("status"), found.status.tolist(), "status", only_in_files=True),
     ]
     legend = said(
         "p maximum pressure; dF/dP how much friction a watt of heat more makes, stable below 1"
     )
-    table = Table(tuple(columns), "points", legends=(legend,))
-    blocks: list[Block] = [table, *cautions_over(found.field, found.values, found.cautions)]
+    table = doc.Table(tuple(columns), "points", legends=(legend,))
+    blocks: list[doc.Block] = [table, *cautions_over(found.field, found.values, found.cautions)]
     blocks += failures(found.status)
     heading = said("Heat balance over {field}", field=found.field.label)
     sections = (
-        Section("", (Title(title),), "head"),
-        Section(
+        doc.Section("", (doc.Title(title),), "head"),
+        doc.Section(
             said("Heat balance over {field}", field=found.field.label), tuple(blocks), "points"
         ),
         picture(heading, lambda: plots.heat_over_figure(found), "heat"),
     )
-    return Document(title, sections, kind="heat", main="points")
+    return doc.Document(title, sections, kind="heat", main="points")

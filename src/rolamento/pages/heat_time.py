@@ -6,20 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.heat import NODES
 from rolamento.pages.given import case_page, picture, title_of
 from rolamento.pages.notes import remarks_of
@@ -39,7 +27,7 @@ _SHOWN: Final = 14
 """Points of time on the page; files have all."""
 
 
-def heat_time_page(found: HeatTransient) -> Document:
+def heat_time_page(found: HeatTransient) -> doc.Document:
     """Return how temperatures and preload of a bearing change in time.
 
     Parameters
@@ -49,7 +37,7 @@ def heat_time_page(found: HeatTransient) -> Document:
     """
     return case_page(
         found.case,
-        Section("", (Title(title_of(found.case)), *_headline(found)), "head"),
+        doc.Section("", (doc.Title(title_of(found.case)), *_headline(found)), "head"),
         _course(found),
         "heat_time",
         "course",
@@ -57,10 +45,10 @@ def heat_time_page(found: HeatTransient) -> Document:
     )
 
 
-def _headline(found: HeatTransient) -> list[Block]:
-    blocks: list[Block] = []
+def _headline(found: HeatTransient) -> list[doc.Block]:
+    blocks: list[doc.Block] = []
     if not found.converged:
-        blocks.append(Statement(reason(found.status), "bad-strong"))
+        blocks.append(doc.Statement(reason(found.status), "bad-strong"))
     entries = []
     if found.has_preload:
         largest, when = found.largest_preload
@@ -72,7 +60,7 @@ def _headline(found: HeatTransient) -> list[Block]:
             when=when,
             last=float(found.preload[-1]),
         )
-        entries.append(Entry(said("preload"), text))
+        entries.append(doc.Entry(said("preload"), text))
     at = found.final
     text = said(
         "inner ring {inner:.1f °C}, outer ring {outer:.1f °C}, housing {housing:.1f °C} after"
@@ -82,23 +70,23 @@ def _headline(found: HeatTransient) -> list[Block]:
         housing=at["housing"],
         time=float(found.time[-1]),
     )
-    entries.append(Entry(said("temperatures"), text))
-    entries.append(Entry(said("power loss"), Number(float(found.power[-1]), ".4 W")))
-    return [*blocks, KeyValues(tuple(entries))]
+    entries.append(doc.Entry(said("temperatures"), text))
+    entries.append(doc.Entry(said("power loss"), doc.Number(float(found.power[-1]), ".4 W")))
+    return [*blocks, doc.KeyValues(tuple(entries))]
 
 
-def _course(found: HeatTransient) -> list[Section]:
+def _course(found: HeatTransient) -> list[doc.Section]:
     if len(found) < 2:
         return []
     shown = _moments(found)
     every = np.arange(len(found))
     caption = said("Temperatures, power and preload in time")
     return [
-        Section(
+        doc.Section(
             said("In time"),
             (
-                Table(_columns(found, shown), "moments", legends=_legends(found)),
-                Table(_columns(found, every), "course", only_in_files=True),
+                doc.Table(_columns(found, shown), "moments", legends=_legends(found)),
+                doc.Table(_columns(found, every), "course", only_in_files=True),
             ),
             "course",
         ),
@@ -124,36 +112,37 @@ def _moments(found: HeatTransient) -> np.ndarray[tuple[int], np.dtype[np.int64]]
 
 def _columns(
     found: HeatTransient, some: np.ndarray[tuple[int], np.dtype[np.int64]]
-) -> tuple[Column, ...]:
+) -> tuple[doc.Column, ...]:
     columns = [
-        Column(
+        doc.Column(
             said("time"),
-            [Number(one, ".3 [min]") for one in found.time[some].tolist()],
+            [doc.Number(one, ".3 [min]") for one in found.time[some].tolist()],
             "time",
             "min",
-            align="right",
         )
     ]
     if np.ptp(found.speed) > 0.0:
         columns.append(
-            Column(said("speed"), found.speed[some].tolist(), "speed_factor", "%", figures=3)
+            doc.Column(said("speed"), found.speed[some].tolist(), "speed_factor", "%", figures=3)
         )
     for node, values in zip(NODES, found.temperatures[:, some], strict=True):
-        cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
-        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
-    columns.append(Column(said("power loss"), found.power[some].tolist(), "power", "W"))
+        cells: list[doc.CellContent] = [doc.Number(value, ".1f [°C]") for value in values.tolist()]
+        columns.append(doc.Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(doc.Column(said("power loss"), found.power[some].tolist(), "power", "W"))
     if found.has_preload:
         columns.append(
-            Column(said("preload"), found.preload[some].tolist(), "preload", "N", peak="maximum")
+            doc.Column(
+                said("preload"), found.preload[some].tolist(), "preload", "N", peak="maximum"
+            )
         )
-    columns.append(Column("p", found.max_pressure[some].tolist(), "max_pressure", "MPa"))
+    columns.append(doc.Column("p", found.max_pressure[some].tolist(), "max_pressure", "MPa"))
     return tuple(columns)
 
 
 # --- running up -----------------------------------------------------------------------------------
 
 
-def warm_up_page(found: WarmUp) -> Document:
+def warm_up_page(found: WarmUp) -> doc.Document:
     """Return a plan of speeds that keeps a bearing below a limit, beside full speed at once.
 
     Parameters
@@ -166,7 +155,7 @@ def warm_up_page(found: WarmUp) -> Document:
     caption = said("Full speed at once, and by the plan")
     return case_page(
         case,
-        Section("", (Title(title_of(case)), *_verdict(found)), "head"),
+        doc.Section("", (doc.Title(title_of(case)), *_verdict(found)), "head"),
         [*plan, *_course(shown)[:1], picture(caption, lambda: warm_up_figure(found), "course")],
         "warm_up",
         "course",
@@ -190,21 +179,21 @@ def warm_up_figure(found: WarmUp) -> Picture:
     return figure
 
 
-def _verdict(found: WarmUp) -> list[Block]:
+def _verdict(found: WarmUp) -> list[doc.Block]:
     limit = (
         said("a preload of {limit:.4 N}", limit=found.preload)
         if found.preload is not None
         else said("{limit:.4 °C} of every part", limit=found.temperature)
     )
     if not found.needed:
-        return [Statement(said("Full speed at once stays below {limit}.", limit=limit))]
+        return [doc.Statement(said("Full speed at once stays below {limit}.", limit=limit))]
     if found.transient is None:
         text = said("No plan of four speeds stays below {limit}.", limit=limit)
-        return [Statement(text, "bad-strong")]
-    return [Statement(said("This plan stays below {limit}.", limit=limit))]
+        return [doc.Statement(text, "bad-strong")]
+    return [doc.Statement(said("This plan stays below {limit}.", limit=limit))]
 
 
-def _plan(found: WarmUp) -> Section:
+def _plan(found: WarmUp) -> doc.Section:
     assert found.transient is not None
     duty, course = found.at_once.case.duty, found.transient
     fastest = max(abs(duty.inner_speed), abs(duty.outer_speed))
@@ -215,34 +204,35 @@ def _plan(found: WarmUp) -> Section:
         lines.append((step, own))
     last = len(lines) - 1
     columns = [
-        Column(said("step"), list(range(1, len(lines) + 1)), "step", figures=1),
-        Column(said("speed"), [step.speed_factor * fastest for step, _ in lines], "speed", "rpm"),
-        Column(
+        doc.Column(said("step"), list(range(1, len(lines) + 1)), "step", figures=1),
+        doc.Column(
+            said("speed"), [step.speed_factor * fastest for step, _ in lines], "speed", "rpm"
+        ),
+        doc.Column(
             said("duration"),
             [
-                said("on") if index == last else Number(step.duration, ".3 [min]")
+                said("on") if index == last else doc.Number(step.duration, ".3 [min]")
                 for index, (step, _) in enumerate(lines)
             ],
             "duration",
             "min",
             align="right",
         ),
-        Column(
+        doc.Column(
             said("warmest part"),
-            [Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines],
+            [doc.Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines],
             "warmest",
             "°C",
-            align="right",
         ),
     ]
     if course.has_preload:
         columns.append(
-            Column(
+            doc.Column(
                 said("largest preload"),
                 [float(course.preload[own].max()) for _, own in lines],
                 "largest_preload",
                 "N",
             )
         )
-    table = Table(tuple(columns), "plan", rule=True)
-    return Section(said("Plan"), (table,), "plan")
+    table = doc.Table(tuple(columns), "plan", rule=True)
+    return doc.Section(said("Plan"), (table,), "plan")

@@ -4,20 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Beside,
-    Block,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.diagnosis import diagnosis_page
 from rolamento.pages.given import picture
 from rolamento.words import ABSENT, said, said_in
@@ -32,7 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = ["history_page", "machine_page", "records_page", "unknown_page"]
 
-_TONES: Final[dict[str, Tone]] = {
+_TONES: Final[dict[str, doc.Tone]] = {
     "fault": "bad-strong",
     "undecided": "warning-strong",
     "watch": "warning",
@@ -43,12 +31,12 @@ _MOST_FITS: Final = 20
 _MOST_ROWS: Final = 60
 
 
-def _headline(verdict: str, statement: tuple[Note, ...]) -> Section:
+def _headline(verdict: str, statement: tuple[Note, ...]) -> doc.Section:
     tone = _TONES[verdict]
-    return Section("", tuple(Statement(note.text, tone) for note in statement), "verdict")
+    return doc.Section("", tuple(doc.Statement(note.text, tone) for note in statement), "verdict")
 
 
-def history_page(found: History) -> Document:
+def history_page(found: History) -> doc.Document:
     """Return the page of a record beside those of the machine's good days.
 
     Parameters
@@ -64,15 +52,15 @@ def history_page(found: History) -> Document:
         "unknown": ABSENT,
     }
     parts = found.parts
-    table = Table(
+    table = doc.Table(
         (
-            Column("", [part_name(p.component, element) for p in parts], "part"),
-            Column(said("order"), [p.order for p in parts], "order", form=".4f"),
-            Column(
+            doc.Column("", [part_name(p.component, element) for p in parts], "part"),
+            doc.Column(said("order"), [p.order for p in parts], "order", form=".4f"),
+            doc.Column(
                 said("depth then, at most"), [p.usual for p in parts], "then", "%", form=".0f [%]"
             ),
-            Column(said("depth now"), [p.now for p in parts], "now", "%", form=".0f [%]"),
-            Column(said("change"), [changes[p.change] for p in parts], "change"),
+            doc.Column(said("depth now"), [p.now for p in parts], "now", "%", form=".0f [%]"),
+            doc.Column(said("change"), [changes[p.change] for p in parts], "change"),
         ),
         "then",
         legends=(
@@ -91,14 +79,14 @@ def history_page(found: History) -> Document:
     rest = [section for section in page.sections if section.key != "verdict"]
     sections = (
         _headline(found.verdict, found.statement),
-        Section(said("Now and then"), (table,), "history"),
+        doc.Section(said("Now and then"), (table,), "history"),
         picture(caption, lambda: plots.then_figure(depths), "then", "history_figure"),
         *rest,
     )
-    return Document(page.title, sections, kind="diagnose", main="then")
+    return doc.Document(page.title, sections, kind="diagnose", main="then")
 
 
-def records_page(found: Records, title: str) -> Document:
+def records_page(found: Records, title: str) -> doc.Document:
     """Return the page of many records of one machine.
 
     Parameters
@@ -113,13 +101,13 @@ def records_page(found: Records, title: str) -> Document:
     if last is not None and last.verdict in ("fault", "undecided"):
         verdict = last.verdict
     columns = [
-        Column(said("from record"), list(found.names), "record"),
-        Column(said("records"), list(found.counts), "count"),
+        doc.Column(said("from record"), list(found.names), "record"),
+        doc.Column(said("records"), list(found.counts), "count"),
     ]
     for name, values in found.series.items():
         is_depth = name not in ("rms", "kurtosis")
         columns.append(
-            Column(
+            doc.Column(
                 series_name(name),
                 values.tolist(),
                 name,
@@ -127,21 +115,21 @@ def records_page(found: Records, title: str) -> Document:
                 form=".0f [%]" if is_depth else ".4",
             )
         )
-    table = Table(tuple(columns), "records")
+    table = doc.Table(tuple(columns), "records")
 
     changes = {name: [step.place for step in steps] for name, steps in found.steps.items()}
     depths = {str(part): values for part, values in found.depths.items()}
     caption = said("Modulation depth over the records")
-    blocks: list[Block] = [Title(one_line(title)), table]
+    blocks: list[doc.Block] = [doc.Title(one_line(title)), table]
     sections = [
         _headline(verdict, found.statement),
-        Section("", tuple(blocks), "records"),
+        doc.Section("", tuple(blocks), "records"),
         picture(caption, lambda: plots.records_figure(depths, changes), "records", "figures"),
     ]
-    return Document(title, tuple(sections), kind="diagnose", main="records")
+    return doc.Document(title, tuple(sections), kind="diagnose", main="records")
 
 
-def machine_page(found: MachineDiagnosis) -> Document:
+def machine_page(found: MachineDiagnosis) -> doc.Document:
     """Return the page of all bearings of a machine.
 
     Parameters
@@ -149,15 +137,17 @@ def machine_page(found: MachineDiagnosis) -> Document:
     found
         Of `rolamento.tasks.machine_diagnosis.diagnose_machine`.
     """
-    sections: list[Section | Beside] = [_headline(found.verdict, found.statement)]
+    sections: list[doc.Section | doc.Beside] = [_headline(found.verdict, found.statement)]
     for bearing, one in zip(found.machine.bearings, found.found, strict=True):
         page = diagnosis_page(one)
         kept = [part for part in page.sections if part.key in ("given", "parts", "why")]
-        sections += [Section(bearing.name, (), "bearing"), *kept]
-    return Document(one_line(found.found[0].title), tuple(sections), kind="diagnose", main="parts")
+        sections += [doc.Section(bearing.name, (), "bearing"), *kept]
+    return doc.Document(
+        one_line(found.found[0].title), tuple(sections), kind="diagnose", main="parts"
+    )
 
 
-def unknown_page(found: UnknownResult) -> Document:
+def unknown_page(found: UnknownResult) -> doc.Document:
     """Return the page of the combs of a record, and of the bearings that would have them.
 
     Parameters
@@ -169,42 +159,44 @@ def unknown_page(found: UnknownResult) -> Document:
     confirmed = found.found.speed_confirmed
     speed = said("by the shaft's own peaks") if confirmed else said("as given")
     entries = (
-        Entry(
+        doc.Entry(
             said("shaft"),
             said(
                 "{frequency:.5 Hz}, {source}", frequency=found.found.shaft_frequency, source=speed
             ),
         ),
-        Entry(said("compared"), said("{count} bearings", count=found.found.compared)),
+        doc.Entry(said("compared"), said("{count} bearings", count=found.found.compared)),
     )
-    table = Table(
+    table = doc.Table(
         (
-            Column(said("comb"), list(range(1, len(combs) + 1)), "comb"),
-            Column(
+            doc.Column(said("comb"), list(range(1, len(combs) + 1)), "comb"),
+            doc.Column(
                 said("frequency"),
                 [comb.frequency for comb in combs],
                 "frequency",
                 "Hz",
                 form=".2f [Hz]",
             ),
-            Column(said("order"), [c.order for c in combs], "order", form=".4f"),
-            Column(
+            doc.Column(said("order"), [c.order for c in combs], "order", form=".4f"),
+            doc.Column(
                 said_in("column", "depth"),
                 [comb.depth for comb in combs],
                 "depth",
                 "%",
                 form=".0f [%]",
             ),
-            Column(said("lines"), [comb.lines for comb in combs], "lines"),
+            doc.Column(said("lines"), [comb.lines for comb in combs], "lines"),
         ),
         "combs",
     )
-    ranked = Table(
+    ranked = doc.Table(
         (
-            Column(said("bearing"), [fit.designation for fit in fits], "designation"),
-            Column(said("explains"), [fit.share for fit in fits], "share", "%", form=".0f [%]"),
-            Column(said("cage off by"), [fit.slip for fit in fits], "slip", "%", form=".2f [%]"),
-            Column(
+            doc.Column(said("bearing"), [fit.designation for fit in fits], "designation"),
+            doc.Column(said("explains"), [fit.share for fit in fits], "share", "%", form=".0f [%]"),
+            doc.Column(
+                said("cage off by"), [fit.slip for fit in fits], "slip", "%", form=".2f [%]"
+            ),
+            doc.Column(
                 said("combs"),
                 [
                     ", ".join(f"{number + 1}: {part_name(part)}" for part, number, _ in fit.parts)
@@ -218,8 +210,8 @@ def unknown_page(found: UnknownResult) -> Document:
     )
     sections = (
         _headline(found.verdict, found.statement),
-        Section("", (Title(one_line(found.title)), KeyValues(entries)), "given"),
-        Section(said("Combs"), (table,), "combs"),
-        Section(said("Bearings that would have them"), (ranked,), "bearings"),
+        doc.Section("", (doc.Title(one_line(found.title)), doc.KeyValues(entries)), "given"),
+        doc.Section(said("Combs"), (table,), "combs"),
+        doc.Section(said("Bearings that would have them"), (ranked,), "bearings"),
     )
-    return Document(one_line(found.title), sections, kind="diagnose", main="bearings")
+    return doc.Document(one_line(found.title), sections, kind="diagnose", main="bearings")

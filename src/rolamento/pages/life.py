@@ -10,25 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import floor, isfinite, isinf, isnan, log10, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Bar,
-    Bars,
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Tone,
-)
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
@@ -107,9 +90,9 @@ def life_page(
     solved: Solved,
     summary: LifeSummary | None,
     changes: Sequence[Change] = (),
-    figures: Sequence[Figure] = (),
+    figures: Sequence[doc.Figure] = (),
     friction: Friction | None = None,
-) -> Document:
+) -> doc.Document:
     """Return the page of the life of one case.
 
     Parameters
@@ -126,11 +109,11 @@ def life_page(
         Of the same case, of which torque and power loss are shown.
     """
     notes = solved.notes[0]
-    sections: list[Section] = []
+    sections: list[doc.Section] = []
     if summary is not None:
         lines = statement(solved, summary, changes)
         sections += [
-            Section(said("Life"), lines, "life"),
+            doc.Section(said("Life"), lines, "life"),
             theories_section(summary),
             validity_section(summary),
             ratings_section(summary),
@@ -142,16 +125,16 @@ def life_page(
 
             sections.append(torque_and_power(solved, friction))
         pictures = (*_charts(summary), *figures)
-        sections += [Section("", pictures, "figures")] * bool(pictures)
+        sections += [doc.Section("", pictures, "figures")] * bool(pictures)
     return case_page(solved.case, head(solved), sections, "life", "theories", notes=notes)
 
 
-def _charts(summary: LifeSummary) -> Iterator[Figure]:
+def _charts(summary: LifeSummary) -> Iterator[doc.Figure]:
     """Show a_ISO where κ and e_C are known."""
     if summary.contamination_factor is None:
         return
 
-    yield Figure(
+    yield doc.Figure(
         said("a_ISO for the film and the cleanliness"), lambda: plots.aiso_chart(summary), "aiso"
     )
 
@@ -176,18 +159,18 @@ def _unit_of_force(values: Iterable[float]) -> str:
     return "kN" if greatest >= _KILO else "N"
 
 
-def _force(value: float, unit: str) -> Number:
+def _force(value: float, unit: str) -> doc.Number:
     """Write a force with four figures and no more than three decimals."""
     scaled = abs(value) / (_KILO if unit == "kN" else 1.0)
     small = isfinite(scaled) and 0.0 < scaled < 1.0
     figures = max(4 + floor(log10(scaled)), 1) if small else 4
-    return Number(value, f".{figures} [{unit}]")
+    return doc.Number(value, f".{figures} [{unit}]")
 
 
 # --- notes -------------------------------------------------------------------------------------
 
 
-def remarks(found: Iterable[tuple[str, Note, str]], count: int) -> tuple[Block, ...]:
+def remarks(found: Iterable[tuple[str, Note, str]], count: int) -> tuple[doc.Block, ...]:
     """List what refuses theories, then what they leave out.
 
     Parameters
@@ -200,8 +183,8 @@ def remarks(found: Iterable[tuple[str, Note, str]], count: int) -> tuple[Block, 
     about: dict[tuple[Note, str], list[str]] = {}
     for theory, note, place in found:
         about.setdefault((note, place), []).append(theory)
-    refused: list[Block] = []
-    noted: list[Remark] = []
+    refused: list[doc.Block] = []
+    noted: list[doc.Remark] = []
     for (note, place), theories in about.items():
         every = len(theories) == count > 1
         names = said("all theories") if every else "; ".join(map(theory_name, theories))
@@ -210,12 +193,12 @@ def remarks(found: Iterable[tuple[str, Note, str]], count: int) -> tuple[Block, 
         text = note.text
         if note.key in OUTSIDE:
             text = said("not valid ({theories}): {reason}", theories=names, reason=text)
-            refused.append(Statement(text, "warning", indent=2, mark="✗"))
+            refused.append(doc.Statement(text, "warning", indent=2, mark="✗"))
         else:
             noted.append(
-                Remark(said("{theories}: {remark}", theories=names, remark=text), note.key)
+                doc.Remark(said("{theories}: {remark}", theories=names, remark=text), note.key)
             )
-    return (*refused, *([Notes(tuple(noted))] if noted else []))
+    return (*refused, *([doc.Notes(tuple(noted))] if noted else []))
 
 
 def verdict(valid: bool, below: bool) -> str:
@@ -230,7 +213,7 @@ def verdict(valid: bool, below: bool) -> str:
 
 def statement(
     solved: Solved, summary: LifeSummary, changes: Sequence[Change] | None = None
-) -> tuple[Block, ...]:
+) -> tuple[doc.Block, ...]:
     """State the life that leads, or its bound and the reason; warn if nothing does.
 
     changes: what would help; None where nobody looked, and what costs most is said instead.
@@ -244,11 +227,11 @@ def statement(
         sentences = [_life(solved, leading), *_bounded(leading), *_beyond_fatigue(leading)]
         sentences += [*_beside_the_catalogue(summary), *_limit(solved, summary)]
         sentences += [*_help(summary, changes), *_required(summary)]
-    first, *others = (Statement(text, tone, indent=2) for text, tone in sentences)
+    first, *others = (doc.Statement(text, tone, indent=2) for text, tone in sentences)
     return (first, *cautions(summary.qualifications()), *others)
 
 
-_Sentence = tuple[str, Tone]
+_Sentence = tuple[str, doc.Tone]
 
 
 def reached(
@@ -524,20 +507,20 @@ def formulas_only() -> str:
 # --- the theories ------------------------------------------------------------------------------
 
 
-def theories_section(summary: LifeSummary) -> Section:
+def theories_section(summary: LifeSummary) -> doc.Section:
     """Set the theories side by side: lives, factors, and whether each is valid for the case."""
     leading = summary.headline
     chosen = summary.theories.get(str(leading.theory[0])) if leading.leads[0] else None
     lives = list(summary.theories.values())
-    tones: list[Tone] = [
+    tones: list[doc.Tone] = [
         "strong" if life is chosen else "" if life.valid[0] or life.below[0] else "faint"
         for life in lives
     ]
     columns = [
-        Column(
+        doc.Column(
             "", [_CHOSEN if life is chosen else "" for life in lives], "leads", tone="good-strong"
         ),
-        Column("", [theory_name(life.theory) for life in lives], "theory", tones=tones),
+        doc.Column("", [theory_name(life.theory) for life in lives], "theory", tones=tones),
         *life_columns(
             [float(life.life[0]) for life in lives], [float(life.hours[0]) for life in lives], tones
         ),
@@ -545,41 +528,43 @@ def theories_section(summary: LifeSummary) -> Section:
     ]
     judged = [(bool(life.valid[0]), bool(life.below[0])) for life in lives]
     columns.append(
-        Column(
+        doc.Column(
             said("valid"),
             [verdict(*one) for one in judged],
             "valid",
             tones=["good" if valid else "warning" for valid, _ in judged],
         )
     )
-    table = Table(tuple(columns), "theories", fixed=2, units="behind", indent=0)
-    legend = Statement(_legend(lives, chosen is not None), "faint", indent=2)
+    table = doc.Table(tuple(columns), "theories", fixed=2, units="behind", indent=0)
+    legend = doc.Statement(_legend(lives, chosen is not None), "faint", indent=2)
     blocks = (table, *_conditions(summary), legend)
-    return Section(said("Life by theory"), blocks, "theories")
+    return doc.Section(said("Life by theory"), blocks, "theories")
 
 
 def life_columns(
-    lives: Sequence[float], hours: Sequence[float], tones: Sequence[Tone] = ()
-) -> tuple[Column, Column]:
+    lives: Sequence[float], hours: Sequence[float], tones: Sequence[doc.Tone] = ()
+) -> tuple[doc.Column, doc.Column]:
     """Return the columns of lives in millions of revolutions and in hours."""
     return (
-        Column("", [life * MILLION for life in lives], "life", "10⁶ rev", form=LIFE, tones=tones),
-        Column("", [life * HOUR for life in hours], "hours", "h", form=HOURS, tones=tones),
+        doc.Column(
+            "", [life * MILLION for life in lives], "life", "10⁶ rev", form=LIFE, tones=tones
+        ),
+        doc.Column("", [life * HOUR for life in hours], "hours", "h", form=HOURS, tones=tones),
     )
 
 
-def _factor_columns(lives: Sequence[Life], tones: Sequence[Tone]) -> Iterator[Column]:
+def _factor_columns(lives: Sequence[Life], tones: Sequence[doc.Tone]) -> Iterator[doc.Column]:
     for symbol, name in FACTORS:
         if any(name in life.factors for life in lives):
-            values: list[CellContent] = [
+            values: list[doc.CellContent] = [
                 float(life.factors[name][0]) if name in life.factors else None for life in lives
             ]
-            yield Column(
+            yield doc.Column(
                 symbol, values, name, form=FACTOR, tones=tones, only_in_files=name in _CONDITIONS
             )
 
 
-def _conditions(summary: LifeSummary) -> list[Block]:
+def _conditions(summary: LifeSummary) -> list[doc.Block]:
     """Write κ and e_C, which no theory has otherwise than the others."""
     ratio, clean = summary.viscosity_ratio, summary.contamination_factor
     if ratio is not None and clean is not None:
@@ -593,7 +578,7 @@ def _conditions(summary: LifeSummary) -> list[Block]:
         text = said("contamination factor e_C = {clean:.3}", clean=float(clean[0]))
     else:
         return []
-    return [Statement(text, indent=2)]
+    return [doc.Statement(text, indent=2)]
 
 
 def _legend(lives: Sequence[Life], leads: bool) -> str:
@@ -606,22 +591,22 @@ def _legend(lives: Sequence[Life], leads: bool) -> str:
     return "; ".join(parts)
 
 
-def validity_section(summary: LifeSummary) -> Section:
+def validity_section(summary: LifeSummary) -> doc.Section:
     """Say what every theory is for, then what stands against it here, and what it leaves out."""
     lives = list(summary.theories.values())
     entries = tuple(
-        Entry(theory_name(life.theory), theory_scope(life.theory, life.element), "faint")
+        doc.Entry(theory_name(life.theory), theory_scope(life.theory, life.element), "faint")
         for life in lives
     )
     found = [(life.theory, note, "") for life in lives for note in life.notes_of()]
-    blocks = (KeyValues(entries, 2, label_tone=""), *remarks(found, len(lives)))
-    return Section(said("Scope of each theory"), blocks, "validity")
+    blocks = (doc.KeyValues(entries, 2, label_tone=""), *remarks(found, len(lives)))
+    return doc.Section(said("Scope of each theory"), blocks, "validity")
 
 
 # --- what it rests on --------------------------------------------------------------------------
 
 
-def ratings_section(summary: LifeSummary) -> Section:
+def ratings_section(summary: LifeSummary) -> doc.Section:
     """Show ratings with their sources, and the loads that stand against them."""
     ratings, loads = summary.ratings, summary.loads
     load = float(loads.dynamic[0])
@@ -659,8 +644,8 @@ def ratings_section(summary: LifeSummary) -> Section:
         rows.append(_permissible(summary.rib_load))
     unit = _unit_of_force(value for _, value, _ in rows)
     columns = (
-        Column("", [symbol for symbol, _, _ in rows], "symbol"),
-        Column(
+        doc.Column("", [symbol for symbol, _, _ in rows], "symbol"),
+        doc.Column(
             "",
             [_force(value, unit) for _, value, _ in rows],
             "value",
@@ -668,11 +653,11 @@ def ratings_section(summary: LifeSummary) -> Section:
             tone="strong",
             align="right",
         ),
-        Column("", [unit for _ in rows], "unit"),
-        Column("", [text for _, _, text in rows], "source", tone="faint"),
+        doc.Column("", [unit for _ in rows], "unit"),
+        doc.Column("", [text for _, _, text in rows], "source", tone="faint"),
     )
-    table = Table(columns, "ratings", headless=True)
-    return Section(said("Ratings and loads"), (table,), "ratings")
+    table = doc.Table(columns, "ratings", headless=True)
+    return doc.Section(said("Ratings and loads"), (table,), "ratings")
 
 
 def _ratings_of_rows(ratings: Ratings) -> Iterator[tuple[str, float, str]]:
@@ -747,7 +732,7 @@ def _safety(safety: float) -> str:
     return said("static safety factor C_0/P_0 = {safety:.3}", safety=safety)
 
 
-def limit_section(solved: Solved, summary: LifeSummary) -> Section:
+def limit_section(solved: Solved, summary: LifeSummary) -> doc.Section:
     """Name the race that fails first, its heaviest element, and what costs most."""
     limit, element = summary.limit, summary.headline.element
     race, ball = str(limit.race[0]), int(limit.ball[0])
@@ -770,8 +755,8 @@ def limit_section(solved: Solved, summary: LifeSummary) -> Section:
                 )
             )
         texts.append(_cost(summary))
-    blocks = tuple(Statement(text, indent=2) for text in texts if text)
-    return Section(said("What limits it"), blocks, "limit")
+    blocks = tuple(doc.Statement(text, indent=2) for text in texts if text)
+    return doc.Section(said("What limits it"), blocks, "limit")
 
 
 def _share(race: str, row: int, share: float, solved: Solved) -> str:
@@ -790,16 +775,16 @@ def _share(race: str, row: int, share: float, solved: Solved) -> str:
     return said("The outer race contributes {share} of the failure probability.", **values)
 
 
-def changes_section(summary: LifeSummary, changes: Sequence[Change]) -> list[Section]:
+def changes_section(summary: LifeSummary, changes: Sequence[Change]) -> list[doc.Section]:
     """Show the life after each change over that before; nothing if none is known."""
     known = [change for change in changes if isfinite(change.life_ratio)]
     if not known:
         return []
-    bars = Bars(
+    bars = doc.Bars(
         bars=tuple(
-            Bar(
+            doc.Bar(
                 change.note.text,
-                Number(change.life_ratio, FACTOR, before="× "),
+                doc.Number(change.life_ratio, FACTOR, before="× "),
                 max(change.life_ratio - 1.0, 0.0),
                 "strong" if change.life_ratio > 1.0 else "",
             )
@@ -815,14 +800,14 @@ def changes_section(summary: LifeSummary, changes: Sequence[Change]) -> list[Sec
         tone="good",
     )
 
-    figure = Figure(said("What would help"), lambda: plots.helps_figure(changes), "helps")
-    return [Section(said("What would help"), (bars, figure), "changes")]
+    figure = doc.Figure(said("What would help"), lambda: plots.helps_figure(changes), "helps")
+    return [doc.Section(said("What would help"), (bars, figure), "changes")]
 
 
 # --- beside the state of a bearing -------------------------------------------------------------
 
 
-def life_section(solved: Solved, summary: LifeSummary) -> Section:
+def life_section(solved: Solved, summary: LifeSummary) -> doc.Section:
     """Show the statement, the lives by the standards, and how far the loads are from the ratings.
 
     All theories and what would help are for a page of their own.
@@ -840,12 +825,12 @@ def life_section(solved: Solved, summary: LifeSummary) -> Section:
         ratio = float(summary.ratings.dynamic_of_set[0]) / load
         numbers.append(said("C/P = {ratio:.3}", ratio=ratio))
     numbers += [text for text in [_safety(float(loads.safety[0]))] if text]
-    blocks: list[Block] = list(statement(solved, summary))
+    blocks: list[doc.Block] = list(statement(solved, summary))
     if numbers:
-        blocks.append(Statement("; ".join(numbers), indent=2))
+        blocks.append(doc.Statement("; ".join(numbers), indent=2))
     hint = said("all theories, and what would help: rolamento life")
-    blocks.append(Statement(hint, "faint", indent=2))
-    return Section(said("Life"), tuple(blocks), "life")
+    blocks.append(doc.Statement(hint, "faint", indent=2))
+    return doc.Section(said("Life"), tuple(blocks), "life")
 
 
 def _in_hours(life: Life) -> str:

@@ -8,20 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    Break,
-    CellContent,
-    Column,
-    Document,
-    Figure,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.life.record import note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.across import cautions_over, failures, field_column, place_text, read_text
@@ -43,7 +31,7 @@ _LESS: Final = "<"
 _RELIABILITY: Final = 0.9
 
 
-def life_over_page(curves: Sequence[LifeCurve]) -> Document:
+def life_over_page(curves: Sequence[LifeCurve]) -> doc.Document:
     """Return the page of life over a field.
 
     Parameters
@@ -54,34 +42,34 @@ def life_over_page(curves: Sequence[LifeCurve]) -> Document:
     title = title_of(curves[0].case)
 
     field = curves[0].over.field.label
-    figure = Figure(
+    figure = doc.Figure(
         said("Life over {field}", field=field), lambda: plots.life_figure(curves), "life"
     )
-    return Document(
+    return doc.Document(
         title,
         (
-            Section("", (Title(title),)),
+            doc.Section("", (doc.Title(title),)),
             *(_curve(curve, place) for place, curve in enumerate(curves)),
-            Section("", (figure, _points(curves)), "points"),
+            doc.Section("", (figure, _points(curves)), "points"),
         ),
         kind="life_over",
         main="points",
     )
 
 
-def _curve(curve: LifeCurve, place: int) -> Section:
-    blocks: list[Block] = []
+def _curve(curve: LifeCurve, place: int) -> doc.Section:
+    blocks: list[doc.Block] = []
     if curve.label:
         setting = setting_name(curve.label)
-        blocks.append(Statement(said("with {setting}", setting=setting), indent=2))
+        blocks.append(doc.Statement(said("with {setting}", setting=setting), indent=2))
     blocks += [_table(curve, place), *_extremes(curve)]
     blocks += cautions_over(curve.over.field, curve.values, curve.cautions)
     blocks += [*_remarks(curve), *failures(curve.status)]
     heading = said("Life over {field}", field=curve.over.field.label)
-    return Section(heading, tuple(blocks), f"life{place or ''}")
+    return doc.Section(heading, tuple(blocks), f"life{place or ''}")
 
 
-def _table(curve: LifeCurve, place: int) -> Table:
+def _table(curve: LifeCurve, place: int) -> doc.Table:
     """Set the lives below each other; the theories that matter less may stand below."""
     order = sorted(curve.theories, key=lambda name: not THEORIES[name].standard)
     columns = [field_column(curve.over.field, curve.values)]
@@ -94,11 +82,11 @@ def _table(curve: LifeCurve, place: int) -> Table:
     first = next(
         (n for n, column in enumerate(columns) if not _standard(column.key) and n > 1), None
     )
-    return Table(
+    return doc.Table(
         tuple(columns),
         f"life{place or ''}",
         legends=_legends(curve),
-        breaks=() if first is None else (Break(first, ""),),
+        breaks=() if first is None else (doc.Break(first, ""),),
     )
 
 
@@ -106,12 +94,14 @@ def _standard(name: str) -> bool:
     return name not in THEORIES or THEORIES[name].standard
 
 
-def _column(curve: LifeCurve, life: Life | Headline, heads: tuple[str, str], key: str) -> Column:
+def _column(
+    curve: LifeCurve, life: Life | Headline, heads: tuple[str, str], key: str
+) -> doc.Column:
     """Lives of a theory, marked where it is not valid or only a bound."""
     form = ".3r [h]" if curve.in_hours else ".3r [10⁶ rev]"
     scale = HOUR if curve.in_hours else MILLION
-    values: list[CellContent] = [
-        Number(
+    values: list[doc.CellContent] = [
+        doc.Number(
             scale * float(value),
             form,
             before=_LESS if below else "",
@@ -119,7 +109,7 @@ def _column(curve: LifeCurve, life: Life | Headline, heads: tuple[str, str], key
         )
         for value, valid, below in zip(curve.shown(life), life.valid, life.below, strict=True)
     ]
-    return Column(
+    return doc.Column(
         "\n".join(f"{head} " for head in heads),
         values,
         key,
@@ -143,7 +133,7 @@ def _legends(curve: LifeCurve) -> tuple[str, ...]:
     return tuple(legends)
 
 
-def _extremes(curve: LifeCurve) -> list[Block]:
+def _extremes(curve: LifeCurve) -> list[doc.Block]:
     """Say where the life that leads is longest and shortest, where it is valid."""
     leading = curve.headline
     led = curve.shown(leading)
@@ -161,7 +151,7 @@ def _extremes(curve: LifeCurve) -> list[Block]:
         least_at=_at(curve, least),
         least=_written(curve, float(led[least])),
     )
-    return [Statement(text, indent=2)]
+    return [doc.Statement(text, indent=2)]
 
 
 def _at(curve: LifeCurve, place: int) -> str:
@@ -174,7 +164,7 @@ def _written(curve: LifeCurve, life: float) -> str:
     return said("{life:.3r 10⁶ rev}", life=life * MILLION)
 
 
-def _remarks(curve: LifeCurve) -> Sequence[Block]:
+def _remarks(curve: LifeCurve) -> Sequence[doc.Block]:
     solved = curve.status == "converged"
     found = [
         (theory, note_of(key, life.element), place_text(curve.over.field, curve.values, where))
@@ -188,27 +178,29 @@ def _remarks(curve: LifeCurve) -> Sequence[Block]:
 # --- files -------------------------------------------------------------------------------------
 
 
-def _points(curves: Sequence[LifeCurve]) -> Table:
+def _points(curves: Sequence[LifeCurve]) -> doc.Table:
     """Return all points of all curves, for files."""
     field = curves[0].over.field
     theories = list(dict.fromkeys(name for curve in curves for name in curve.theories))
     columns = [
-        Column(
+        doc.Column(
             said("variant"), [curve.label for curve in curves for _ in range(len(curve))], "variant"
         ),
-        Column(
+        doc.Column(
             field.label,
             [float(value) for curve in curves for value in curve.values],
             field.name,
             field_column(field, curves[0].values).unit,
         ),
-        Column(said("status"), [str(code) for curve in curves for code in curve.status], "status"),
+        doc.Column(
+            said("status"), [str(code) for curve in curves for code in curve.status], "status"
+        ),
     ]
     for name in theories:
         columns += _of_points(curves, [curve.theories.get(name) for curve in curves], name)
     columns += _of_points(curves, [curve.headline for curve in curves], "headline")
     columns.append(
-        Column(
+        doc.Column(
             said("leading theory"),
             [str(name) for curve in curves for name in curve.headline.theory],
             "headline_theory",
@@ -216,14 +208,16 @@ def _points(curves: Sequence[LifeCurve]) -> Table:
     )
     for key, symbol in (("viscosity_ratio", "κ"), ("contamination_factor", "e_C")):
         columns.append(
-            Column(symbol, [float(value) for curve in curves for value in getattr(curve, key)], key)
+            doc.Column(
+                symbol, [float(value) for curve in curves for value in getattr(curve, key)], key
+            )
         )
-    return Table(tuple(columns), "points", only_in_files=True)
+    return doc.Table(tuple(columns), "points", only_in_files=True)
 
 
 def _of_points(
     curves: Sequence[LifeCurve], records: Sequence[Life | Headline | None], key: str
-) -> list[Column]:
+) -> list[doc.Column]:
     def gathered(attribute: str, absent: Any) -> list[Any]:
         return [
             value
@@ -234,11 +228,11 @@ def _of_points(
     name = theory_name(key) if key in THEORIES else said("leading life")
     yes, no = said("yes"), said("no")
     columns = [
-        Column(name, [HOUR * float(h) for h in gathered("hours", np.nan)], key, "h"),
-        Column(name, [MILLION * float(n) for n in gathered("life", np.nan)], key, "10⁶ rev"),
+        doc.Column(name, [HOUR * float(h) for h in gathered("hours", np.nan)], key, "h"),
+        doc.Column(name, [MILLION * float(n) for n in gathered("life", np.nan)], key, "10⁶ rev"),
     ]
     marks = (("valid", "valid", said("valid")), ("below", "upper_bound", said("bound")))
     for attribute, end, head in marks:
         values = [yes if one else no for one in gathered(attribute, False)]
-        columns.append(Column(head, values, f"{key}_{end}"))
+        columns.append(doc.Column(head, values, f"{key}_{end}"))
     return columns

@@ -9,18 +9,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento import document as doc
 from rolamento.case import Case
-from rolamento.document import (
-    Beside,
-    Block,
-    Column,
-    Document,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
@@ -55,7 +45,7 @@ _HEAD: Final = 12
 _CONVERGED: Final = "converged"
 
 
-def life_spectrum_page(found: SpectrumLife) -> Document:
+def life_spectrum_page(found: SpectrumLife) -> doc.Document:
     """Return the page of the life under a spectrum.
 
     Parameters
@@ -66,15 +56,15 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
     title = title_of(found.case)
     heading = said("Life under {count} steps of duty", count=len(found.steps))
     sections = [
-        Section("", (Title(title),)),
-        Section(heading, _statement(found), "life"),
+        doc.Section("", (doc.Title(title),)),
+        doc.Section(heading, _statement(found), "life"),
         *([_theories(found)] if found.converged else []),
         _steps(found),
     ]
-    return Document(title, tuple(sections), kind="life_spectrum", main="all_steps")
+    return doc.Document(title, tuple(sections), kind="life_spectrum", main="all_steps")
 
 
-def shaft_spectrum_page(found: ShaftSpectrum, names: Sequence[str]) -> Document:
+def shaft_spectrum_page(found: ShaftSpectrum, names: Sequence[str]) -> doc.Document:
     """Return the page of several bearings of a shaft under one spectrum.
 
     Parameters
@@ -85,18 +75,18 @@ def shaft_spectrum_page(found: ShaftSpectrum, names: Sequence[str]) -> Document:
         Of the bearings: their titles, or files.
     """
     heading = said("Life of {count} bearings on one shaft", count=len(found.bearings))
-    sections: list[Section | Beside] = [
-        Section(heading, together_statement(found.together, found.bearings[0].reliability))
+    sections: list[doc.Section | doc.Beside] = [
+        doc.Section(heading, together_statement(found.together, found.bearings[0].reliability))
     ]
     for name, own in zip(names, found.bearings, strict=True):
         page = life_spectrum_page(own)
-        sections += [Section("", (Title(name),)), *page.sections[1:]]
-    return Document(heading, tuple(sections), kind="shaft_life_spectrum")
+        sections += [doc.Section("", (doc.Title(name),)), *page.sections[1:]]
+    return doc.Document(heading, tuple(sections), kind="shaft_life_spectrum")
 
 
-def _statement(found: SpectrumLife) -> tuple[Block, ...]:
+def _statement(found: SpectrumLife) -> tuple[doc.Block, ...]:
     leading = found.headline
-    sentences: list[tuple[str, Tone]] = []
+    sentences: list[tuple[str, doc.Tone]] = []
     qualified: list[Note] = []
     if not found.converged:
         sentences.append((said("Without a result of every step there is no life."), "bad-strong"))
@@ -129,7 +119,7 @@ def _statement(found: SpectrumLife) -> tuple[Block, ...]:
             "The shares sum to {total:.5} and were scaled to 1.", total=found.steps.given_sum
         )
         sentences.append((text, "warning"))
-    statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    statements = tuple(doc.Statement(text, tone, indent=2) for text, tone in sentences)
     return (*statements, *cautions(qualified))
 
 
@@ -149,7 +139,7 @@ def _qualifications(found: SpectrumLife) -> list[Note]:
     return notes
 
 
-def _worst(found: SpectrumLife) -> list[tuple[str, Tone]]:
+def _worst(found: SpectrumLife) -> list[tuple[str, doc.Tone]]:
     damage = found.headline.damage
     if len(damage) < 2 or not np.all(np.isfinite(damage)):
         return []
@@ -163,13 +153,13 @@ def _worst(found: SpectrumLife) -> list[tuple[str, Tone]]:
     return [(text, "")]
 
 
-def _theories(found: SpectrumLife) -> Section:
+def _theories(found: SpectrumLife) -> doc.Section:
     lives = list(found.theories.values())
     judged = [(own.valid, own.below) for own in lives]
     columns = (
-        Column("", [theory_name(name) for name in found.theories], "theory"),
+        doc.Column("", [theory_name(name) for name in found.theories], "theory"),
         *life_columns([own.life for own in lives], [own.hours for own in lives]),
-        Column(
+        doc.Column(
             said("valid"),
             [verdict(*one) for one in judged],
             "valid",
@@ -181,12 +171,12 @@ def _theories(found: SpectrumLife) -> Section:
         legends.append(
             said("Ioannides and Harris is left out: it is evaluated for at most 1000 steps.")
         )
-    table = Table(columns, "theories", legends=tuple(legends), units="behind")
+    table = doc.Table(columns, "theories", legends=tuple(legends), units="behind")
     heading = said("Life by theory, damage summed by Miner's rule")
-    return Section(heading, (table, *_remarks(found)), "theories")
+    return doc.Section(heading, (table, *_remarks(found)), "theories")
 
 
-def _remarks(found: SpectrumLife) -> tuple[Block, ...]:
+def _remarks(found: SpectrumLife) -> tuple[doc.Block, ...]:
     part = found.taking_part
     count = int(part.sum())
     notes = []
@@ -205,7 +195,7 @@ def _remarks(found: SpectrumLife) -> tuple[Block, ...]:
 # --- the steps ---------------------------------------------------------------------------------
 
 
-def _steps(found: SpectrumLife) -> Section:
+def _steps(found: SpectrumLife) -> doc.Section:
     """Set the steps in a table; of many, those that contribute most."""
     shown = _shown(found)
     damage = found.headline.damage[shown]
@@ -227,13 +217,15 @@ def _steps(found: SpectrumLife) -> Section:
             theory=theory,
         )
     )
-    bars = Column("", np.nan_to_num(damage).tolist(), bar=True)
-    table = Table((*_columns(found, shown, shortened=True), bars), "steps", legends=tuple(legends))
+    bars = doc.Column("", np.nan_to_num(damage).tolist(), bar=True)
+    table = doc.Table(
+        (*_columns(found, shown, shortened=True), bars), "steps", legends=tuple(legends)
+    )
     every = np.arange(len(found.steps), dtype=np.int64)
     rest = [
-        Column(said("status"), [str(one) for one in found.status], "status"),
+        doc.Column(said("status"), [str(one) for one in found.status], "status"),
         *(
-            Column(
+            doc.Column(
                 theory_name(name),
                 (scale * getattr(own, attribute)).tolist(),
                 name if unit == "h" else f"{name}_damage",
@@ -244,14 +236,16 @@ def _steps(found: SpectrumLife) -> Section:
             for own in (life.steps if unit == "h" else life,)
         ),
     ]
-    full = Table((*_columns(found, every, shortened=False), *rest), "all_steps", only_in_files=True)
-    return Section(said("Steps"), (table, *_failures(found), full), "steps")
+    full = doc.Table(
+        (*_columns(found, every, shortened=False), *rest), "all_steps", only_in_files=True
+    )
+    return doc.Section(said("Steps"), (table, *_failures(found), full), "steps")
 
 
-def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) -> list[Column]:
+def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) -> list[doc.Column]:
     leading = found.headline
     columns = [
-        Column(said("step"), [int(step) + 1 for step in steps], "step"),
+        doc.Column(said("step"), [int(step) + 1 for step in steps], "step"),
         _share_column(said("time"), found.time_shares[steps], "time_share"),
         _share_column(said("rev"), found.revolution_shares[steps], "revolution_share"),
     ]
@@ -263,10 +257,10 @@ def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) 
         head = "\n".join(wrap(label, _HEAD)) if shortened else label
         room -= max(map(len, (*head.split("\n"), *values))) + 2
         if room >= 0 or not shortened:
-            columns.append(Column(head, values, name, align="right"))
+            columns.append(doc.Column(head, values, name, align="right"))
     return [
         *columns,
-        Column(
+        doc.Column(
             said("life"),
             (HOUR * leading.steps.hours[steps]).tolist(),
             "headline",
@@ -277,8 +271,8 @@ def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) 
     ]
 
 
-def _share_column(head: str, shares: NDArray[np.float64], key: str) -> Column:
-    return Column(head, shares.tolist(), key, "%", figures=3, most=2)
+def _share_column(head: str, shares: NDArray[np.float64], key: str) -> doc.Column:
+    return doc.Column(head, shares.tolist(), key, "%", figures=3, most=2)
 
 
 def _shown(found: SpectrumLife) -> NDArray[np.int64]:
@@ -290,10 +284,10 @@ def _shown(found: SpectrumLife) -> NDArray[np.int64]:
     return np.sort(np.argsort(-damage, kind="stable")[:_MOST_SHOWN]).astype(np.int64)
 
 
-def _failures(found: SpectrumLife) -> list[Block]:
+def _failures(found: SpectrumLife) -> list[doc.Block]:
     failed = np.flatnonzero((found.status != _CONVERGED) & found.taking_part)
     return [
-        Statement(
+        doc.Statement(
             said(
                 "step {step} (line {line}): {reason}",
                 step=step + 1,

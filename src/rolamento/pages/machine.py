@@ -9,28 +9,9 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
 from rolamento.analysis import analyse
-from rolamento.document import (
-    Beside,
-    Block,
-    Break,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-    finite_cells,
-)
 from rolamento.numerics import FloatArray
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.given import picture
@@ -56,7 +37,7 @@ _MOST_STEPS: Final = 12
 """Steps that a page shows; files have all of them."""
 
 
-def machine_page(found: MachineAnalysis) -> Document:
+def machine_page(found: MachineAnalysis) -> doc.Document:
     """Return the page of a machine: without a result it says why and what to do.
 
     Parameters
@@ -67,8 +48,8 @@ def machine_page(found: MachineAnalysis) -> Document:
     solved = found.solved
     title = solved.title or said("Machine without a title")
     sections = [
-        Section("", (Title(title), _given(solved)), "given"),
-        Section(said("Life of all bearings together"), _life(found), "life"),
+        doc.Section("", (doc.Title(title), _given(solved)), "given"),
+        doc.Section(said("Life of all bearings together"), _life(found), "life"),
         *_picture(solved),
         _bearings(found),
         _shafts(solved),
@@ -79,10 +60,10 @@ def machine_page(found: MachineAnalysis) -> Document:
     ]
     if not solved.status.converged.any():
         sections = [sections[0], *notes_section(_remarks(found))]
-    return Document(title, tuple(sections), kind="machine", main="bearings")
+    return doc.Document(title, tuple(sections), kind="machine", main="bearings")
 
 
-def machine_report(found: MachineAnalysis) -> Document:
+def machine_report(found: MachineAnalysis) -> doc.Document:
     """Return the page of a machine with a chapter for each bearing, in its hardest step.
 
     Parameters
@@ -91,7 +72,7 @@ def machine_report(found: MachineAnalysis) -> Document:
         As of `machine_page`.
     """
     page = machine_page(found)
-    sections: list[Section | Beside] = list(page.sections)
+    sections: list[doc.Section | doc.Beside] = list(page.sections)
     for name, own in found.bearings.items():
         if not own.solved.converged.any():
             continue
@@ -100,10 +81,12 @@ def machine_report(found: MachineAnalysis) -> Document:
         heading = said("Bearing {bearing}", bearing=name)
         if len(own.solved) > 1:
             heading = said("Bearing {bearing}: {step}", bearing=name, step=found.solved.steps[case])
-        sections.append(Section(heading, key=f"bearing_{name}", level=1))
+        sections.append(doc.Section(heading, key=f"bearing_{name}", level=1))
         head, *rest = state_page(alone.solved, alone).sections
-        if isinstance(head, Section):  # the chapter has a heading already
-            head = replace(head, blocks=tuple(b for b in head.blocks if not isinstance(b, Title)))
+        if isinstance(head, doc.Section):  # the chapter has a heading already
+            head = replace(
+                head, blocks=tuple(b for b in head.blocks if not isinstance(b, doc.Title))
+            )
         sections += [head, *rest]
     return replace(page, sections=tuple(sections))
 
@@ -111,7 +94,7 @@ def machine_report(found: MachineAnalysis) -> Document:
 # --- the head -------------------------------------------------------------------------------------
 
 
-def _given(solved: SolvedMachine) -> KeyValues:
+def _given(solved: SolvedMachine) -> doc.KeyValues:
     machine = solved.machine
     shafts = [
         said(
@@ -132,12 +115,12 @@ def _given(solved: SolvedMachine) -> KeyValues:
         for one in machine.bearings
     ]
     entries = [
-        Entry(said("shafts"), "\n".join(shafts)),
-        Entry(said("bearings"), "\n".join(bearings)),
+        doc.Entry(said("shafts"), "\n".join(shafts)),
+        doc.Entry(said("bearings"), "\n".join(bearings)),
     ]
     if machine.spectrum:
-        entries.append(Entry(said("spectrum"), said("{count} steps", count=len(solved))))
-    return KeyValues((*entries, *_status(solved)))
+        entries.append(doc.Entry(said("spectrum"), said("{count} steps", count=len(solved))))
+    return doc.KeyValues((*entries, *_status(solved)))
 
 
 def _how(located: str, turned: bool) -> str:
@@ -151,7 +134,7 @@ def _how(located: str, turned: bool) -> str:
     return "".join(f", {part}" for part in parts)
 
 
-def _status(solved: SolvedMachine) -> list[Entry]:
+def _status(solved: SolvedMachine) -> list[doc.Entry]:
     status = solved.status
     if status.converged.all():
         text = said(
@@ -159,18 +142,18 @@ def _status(solved: SolvedMachine) -> list[Entry]:
             iterations=int(status.iterations.max()),
             residual=float(status.residual.max()),
         )
-        return [Entry(said("status"), text, "good")]
+        return [doc.Entry(said("status"), text, "good")]
     entries = []
     for case in np.flatnonzero(~status.converged)[:_MOST_STEPS].tolist():
         why = f"✗ {reason(str(status.code[case]))}"
         name = solved.steps[case]
-        entries.append(Entry(said("status"), f"{name}: {why}" if name else why, "bad-strong"))
+        entries.append(doc.Entry(said("status"), f"{name}: {why}" if name else why, "bad-strong"))
         if (advice := solved.advice[case]) is not None:
-            entries.append(Entry(said("advice"), advice.text))
+            entries.append(doc.Entry(said("advice"), advice.text))
     return entries
 
 
-def _picture(solved: SolvedMachine) -> list[Section]:
+def _picture(solved: SolvedMachine) -> list[doc.Section]:
     """Draw the machine and how it bends in its hardest step."""
     if not solved.status.converged.any():
         return []
@@ -194,7 +177,7 @@ PICTURES: Final = {
 """What is drawn of a machine besides itself, by key."""
 
 
-def machine_picture(solved: SolvedMachine, key: str, step: int) -> Figure:
+def machine_picture(solved: SolvedMachine, key: str, step: int) -> doc.Figure:
     """Return a picture of a machine.
 
     Parameters
@@ -211,15 +194,15 @@ def machine_picture(solved: SolvedMachine, key: str, step: int) -> Figure:
         "forces": lambda: plots.draw_section_forces(solved, step=step),
         "bearings": lambda: plots.draw_bearings_in_place(solved, step=step),
     }[key]
-    return Figure("", draw, key, alternative=said(PICTURES[key]))
+    return doc.Figure("", draw, key, alternative=said(PICTURES[key]))
 
 
 # --- life -----------------------------------------------------------------------------------------
 
 
-def _life(found: MachineAnalysis) -> tuple[Block, ...]:
+def _life(found: MachineAnalysis) -> tuple[doc.Block, ...]:
     together = found.together
-    sentences: list[tuple[str, Tone]] = []
+    sentences: list[tuple[str, doc.Tone]] = []
     names = list(found.lives)
     missing = [name for name, life in found.lives.items() if life is None]
     if not found.converged:
@@ -237,11 +220,11 @@ def _life(found: MachineAnalysis) -> tuple[Block, ...]:
     else:
         first = next(life for life in found.lives.values() if life is not None)
         sentences += together_sentences(together, first.reliability, names)
-    statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    statements = tuple(doc.Statement(text, tone, indent=2) for text, tone in sentences)
     return (*statements, *_cautions(found))
 
 
-def _cautions(found: MachineAnalysis) -> tuple[Notes, ...]:
+def _cautions(found: MachineAnalysis) -> tuple[doc.Notes, ...]:
     """What qualifies the headline, with the bearings that it is about."""
     named: dict[Note, list[str]] = {}
     for name, own in found.bearings.items():
@@ -255,8 +238,8 @@ def _cautions(found: MachineAnalysis) -> tuple[Notes, ...]:
         text = note.text
         if len(names) < len(found.bearings):
             text = said("{bearing}: {text}", bearing=", ".join(names), text=text)
-        remarks.append(Remark(text, note.key, "warning"))
-    return (Notes(tuple(remarks)),) if remarks else ()
+        remarks.append(doc.Remark(text, note.key, "warning"))
+    return (doc.Notes(tuple(remarks)),) if remarks else ()
 
 
 def _remarks(found: MachineAnalysis) -> list[Note]:
@@ -294,20 +277,20 @@ def _by_step(
     parts: Sequence[str],
     key: str,
     legends: Sequence[str],
-    columns_of: Callable[[list[tuple[str, int]]], tuple[Column, ...]],
-) -> tuple[Table, ...]:
+    columns_of: Callable[[list[tuple[str, int]]], tuple[doc.Column, ...]],
+) -> tuple[doc.Table, ...]:
     """A table of parts in every step; of many steps a page shows the first, and files have all.
 
     columns_of: of parts, each with the number of a step.
     """
     count = len(solved)
 
-    def table(shown: int, key: str, only_in_files: bool) -> Table:
+    def table(shown: int, key: str, only_in_files: bool) -> doc.Table:
         lines = [(part, case) for case in range(shown) for part in parts]
         columns = columns_of(lines)
         if count > 1:
             names = [solved.steps[case] for _, case in lines]
-            columns += (Column("step", names, "step", only_in_files=True),)
+            columns += (doc.Column("step", names, "step", only_in_files=True),)
         heads = tuple(
             (
                 case * len(parts),
@@ -319,7 +302,7 @@ def _by_step(
             )
             for case in range(shown if count > 1 else 0)
         )
-        return Table(
+        return doc.Table(
             columns, key, legends=tuple(legends), groups=heads, only_in_files=only_in_files
         )
 
@@ -332,10 +315,10 @@ def _by_step(
     return replace(first, legends=(*first.legends, more)), table(count, key, True)
 
 
-def _bearings(found: MachineAnalysis) -> Section:
+def _bearings(found: MachineAnalysis) -> doc.Section:
     solved = found.solved
 
-    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+    def columns_of(named: list[tuple[str, int]]) -> tuple[doc.Column, ...]:
         return _of_bearings(found, [(solved.bearings[name], case) for name, case in named])
 
     legends = [
@@ -347,66 +330,71 @@ def _bearings(found: MachineAnalysis) -> Section:
     if len(solved) > 1:
         legends.append(said("life of each step alone"))
     tables = _by_step(solved, list(solved.bearings), "bearings", ["; ".join(legends)], columns_of)
-    return Section(said("Bearings"), tables, "bearings")
+    return doc.Section(said("Bearings"), tables, "bearings")
 
 
 def _of_bearings(
     found: MachineAnalysis, lines: list[tuple[SeatedBearing, int]]
-) -> tuple[Column, ...]:
+) -> tuple[doc.Column, ...]:
     """What is known of bearings, each in a step."""
     hours = [_hours(found, one, case) for one, case in lines]
     columns = (
-        Column(said("bearing"), [one.name for one, _ in lines], "bearing"),
-        Column(
-            "F_r", finite_cells(float(one.radial_force[c]) for one, c in lines), "radial_force", "N"
+        doc.Column(said("bearing"), [one.name for one, _ in lines], "bearing"),
+        doc.Column(
+            "F_r",
+            doc.finite_cells(float(one.radial_force[c]) for one, c in lines),
+            "radial_force",
+            "N",
         ),
-        Column("F_a", finite_cells(float(one.force[c, 0]) for one, c in lines), "axial_force", "N"),
-        Column(
+        doc.Column(
+            "F_a", doc.finite_cells(float(one.force[c, 0]) for one, c in lines), "axial_force", "N"
+        ),
+        doc.Column(
             "M",
-            finite_cells(float(np.hypot(*one.force[c, 3:])) for one, c in lines),
+            doc.finite_cells(float(np.hypot(*one.force[c, 3:])) for one, c in lines),
             "moment",
             "N·m",
             most=3,
         ),
-        Column(
+        doc.Column(
             said("tilt"),
-            finite_cells(float(one.tilt[c]) for one, c in lines),
+            doc.finite_cells(float(one.tilt[c]) for one, c in lines),
             "tilt",
             "mrad",
             figures=3,
             most=3,
             tones=[_tilt_tone(one, c) for one, c in lines],
         ),
-        Column(
+        doc.Column(
             said("permissible"),
-            finite_cells(permissible_tilt(one) for one, _ in lines),
+            doc.finite_cells(permissible_tilt(one) for one, _ in lines),
             "permissible_tilt",
             "mrad",
             figures=3,
         ),
-        Column(
+        doc.Column(
             "p_max",
-            finite_cells(_pressure(one, c) for one, c in lines),
+            doc.finite_cells(_pressure(one, c) for one, c in lines),
             "max_pressure",
             "MPa",
             most=0,
         ),
-        Column(
+        doc.Column(
             "S_0",
-            finite_cells(_safety(found, one, c) for one, c in lines),
+            doc.finite_cells(_safety(found, one, c) for one, c in lines),
             "static_safety",
             figures=3,
         ),
-        Column(
+        doc.Column(
             "κ",
-            finite_cells(_kappa(found, one, c) for one, c in lines),
+            doc.finite_cells(_kappa(found, one, c) for one, c in lines),
             "viscosity_ratio",
             figures=3,
         ),
-        Column(said("life"), hours, "life", "h", form=".3r [h]", align="right"),
-        Column(
+        doc.Column(said("life"), hours, "life", "h", form=".3r [h]", align="right"),
+        doc.Column(
             said("loss"),
-            finite_cells(_power(found, one, c) for one, c in lines),
+            doc.finite_cells(_power(found, one, c) for one, c in lines),
             "power",
             "W",
             figures=3,
@@ -426,7 +414,7 @@ def permissible_tilt(one: SeatedBearing) -> float:
     return min((tilt for tilt in known if tilt is not None), default=float("nan"))
 
 
-def _tilt_tone(one: SeatedBearing, case: int) -> Tone:
+def _tilt_tone(one: SeatedBearing, case: int) -> doc.Tone:
     return "warning" if float(one.tilt[case]) > permissible_tilt(one) else ""
 
 
@@ -445,7 +433,7 @@ def _kappa(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
     return float("nan") if film is None else float(film.viscosity_ratio[case])
 
 
-def _hours(found: MachineAnalysis, one: SeatedBearing, case: int) -> CellContent:
+def _hours(found: MachineAnalysis, one: SeatedBearing, case: int) -> doc.CellContent:
     life = found.bearings[one.name].life
     if life is None:
         return None
@@ -457,7 +445,7 @@ def _hours(found: MachineAnalysis, one: SeatedBearing, case: int) -> CellContent
         return ENDLESS
     if hours > LONGEST_LIFE and not headline.below[case]:
         return hours_text(hours)
-    return Number(hours * HOUR, ".3r [h]", before="<" if headline.below[case] else "")
+    return doc.Number(hours * HOUR, ".3r [h]", before="<" if headline.below[case] else "")
 
 
 def _power(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
@@ -465,7 +453,7 @@ def _power(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
     return float("nan") if friction is None else float(friction.power[case])
 
 
-def _shafts(solved: SolvedMachine) -> Section:
+def _shafts(solved: SolvedMachine) -> doc.Section:
     legends = (
         said(
             "greatest values along each shaft, and how far from its left end; nominal equivalent"
@@ -473,14 +461,14 @@ def _shafts(solved: SolvedMachine) -> Section:
         ),
     )
 
-    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+    def columns_of(named: list[tuple[str, int]]) -> tuple[doc.Column, ...]:
         return _of_shafts([(solved.shafts[name], case) for name, case in named])
 
     tables = _by_step(solved, list(solved.shafts), "shafts", legends, columns_of)
-    return Section(said("Shafts"), (*tables, *_curves(solved)), "shafts")
+    return doc.Section(said("Shafts"), (*tables, *_curves(solved)), "shafts")
 
 
-def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
+def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[doc.Column, ...]:
     """The greatest values along shafts, each in a step, and where."""
 
     def peak(values: FloatArray, one: SolvedShaft) -> tuple[float, float]:
@@ -493,12 +481,12 @@ def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
     stresses = [peak(one.stress[c].max(axis=1), one) for one, c in lines]
     moments = [peak(one.bending_moment[c].max(axis=1), one) for one, c in lines]
 
-    def column(head: str, key: str, unit: str, values: list[float], most: int = 2) -> Column:
-        return Column(head, finite_cells(values), key, unit, most=most)
+    def column(head: str, key: str, unit: str, values: list[float], most: int = 2) -> doc.Column:
+        return doc.Column(head, doc.finite_cells(values), key, unit, most=most)
 
     at = said("at")
     return (
-        Column(said("shaft"), [one.name for one, _ in lines], "shaft"),
+        doc.Column(said("shaft"), [one.name for one, _ in lines], "shaft"),
         column(said("deflection"), "deflection", "µm", [v for v, _ in deflections]),
         column(at, "deflection_at", "mm", [x for _, x in deflections], 1),
         column(said("slope"), "slope", "mrad", [float(o.slope[c].max()) for o, c in lines], 3),
@@ -511,7 +499,7 @@ def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
     )  # fmt: skip
 
 
-def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
+def _curves(solved: SolvedMachine) -> tuple[doc.Table, ...]:
     """All nodes of all shafts, for files."""
     steps = range(len(solved))
     lines = [
@@ -521,12 +509,12 @@ def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
         for node in range(len(one.position))
     ]
 
-    def column(key: str, unit: str, values: Iterable[float]) -> Column:
-        return Column(key, finite_cells(values), key, unit)
+    def column(key: str, unit: str, values: Iterable[float]) -> doc.Column:
+        return doc.Column(key, doc.finite_cells(values), key, unit)
 
     columns = (
-        Column("step", [solved.steps[c] or "1" for c, _, _ in lines], "step"),
-        Column("shaft", [one.name for _, one, _ in lines], "shaft"),
+        doc.Column("step", [solved.steps[c] or "1" for c, _, _ in lines], "step"),
+        doc.Column("shaft", [one.name for _, one, _ in lines], "shaft"),
         column("position", "mm", (float(one.position[n]) for _, one, n in lines)),
         *(
             column(name, unit, (float(one.displacement[c, n, i]) for c, one, n in lines))
@@ -543,28 +531,28 @@ def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
         ),
         column("stress", "MPa", (float(one.stress[c, n].max()) for c, one, n in lines)),
     )
-    return (Table(columns, "nodes", only_in_files=True),)
+    return (doc.Table(columns, "nodes", only_in_files=True),)
 
 
-def _gears(solved: SolvedMachine) -> list[Section]:
+def _gears(solved: SolvedMachine) -> list[doc.Section]:
     machine = solved.machine
     if not machine.gears:
         return []
     names = [gear.name or f"{said('gear')} {i + 1}" for i, gear in enumerate(machine.gears)]
     gears = dict(zip(names, machine.gears, strict=True))
 
-    def column(head: str, key: str, unit: str, values: list[float]) -> Column:
-        return Column(head, finite_cells(values), key, unit, figures=3, most=3)
+    def column(head: str, key: str, unit: str, values: list[float]) -> doc.Column:
+        return doc.Column(head, doc.finite_cells(values), key, unit, figures=3, most=3)
 
-    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+    def columns_of(named: list[tuple[str, int]]) -> tuple[doc.Column, ...]:
         places = [
             solved.shafts[gears[name].shaft].displacement_at(gears[name].position)[case]
             for name, case in named
         ]
         shafts = [gears[name].shaft for name, _ in named]
         return (
-            Column(said("gear"), [name for name, _ in named], "gear"),
-            Column(said("shaft"), shafts, "shaft"),
+            doc.Column(said("gear"), [name for name, _ in named], "gear"),
+            doc.Column(said("shaft"), shafts, "shaft"),
             *(
                 column(axis, axis, unit, [float(u[i]) for u in places])
                 for i, (axis, unit) in enumerate(_AXES)
@@ -573,13 +561,13 @@ def _gears(solved: SolvedMachine) -> list[Section]:
 
     legends = (said("displacement and slope of the shaft at each gear"),)
     tables = _by_step(solved, names, "gears", legends, columns_of)
-    return [Section(said("Gears"), tables, "gears")]
+    return [doc.Section(said("Gears"), tables, "gears")]
 
 
 _AXES: Final = (("x", "µm"), ("y", "µm"), ("z", "µm"), ("ry", "mrad"), ("rz", "mrad"))
 
 
-def _housed(solved: SolvedMachine) -> list[Section]:
+def _housed(solved: SolvedMachine) -> list[doc.Section]:
     """How outer rings move that are not held."""
     moved = [
         one
@@ -589,11 +577,11 @@ def _housed(solved: SolvedMachine) -> list[Section]:
     if not moved:
         return []
 
-    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+    def columns_of(named: list[tuple[str, int]]) -> tuple[doc.Column, ...]:
         return (
-            Column(said("bearing"), [name for name, _ in named], "bearing"),
+            doc.Column(said("bearing"), [name for name, _ in named], "bearing"),
             *(
-                Column(
+                doc.Column(
                     axis,
                     [float(solved.bearings[name].outer[case, i]) for name, case in named],
                     axis,
@@ -608,7 +596,7 @@ def _housed(solved: SolvedMachine) -> list[Section]:
     legends = (said("displacement of outer rings in yielding or sliding seats"),)
     names = [one.name for one in moved]
     tables = _by_step(solved, names, "outer_rings", legends, columns_of)
-    return [Section(said("Outer rings"), tables, "outer_rings")]
+    return [doc.Section(said("Outer rings"), tables, "outer_rings")]
 
 
 _LINES: Final = {"rotation": marked("rotation"), "mesh": marked("tooth mesh")}
@@ -621,30 +609,30 @@ def _named(one: MachineFrequency) -> tuple[str, str]:
     return line_name(one.line, one.element), ABBREVIATIONS[one.line]
 
 
-def _frequencies(found: MachineAnalysis) -> list[Section]:
+def _frequencies(found: MachineAnalysis) -> list[doc.Section]:
     """What turns, meshes and passes how often, in the hardest step."""
     step = found.hardest_step()
     lines = found.frequencies(step)
     if not lines:
         return []
     columns = (
-        Column(said("part"), [one.part for one in lines], "part"),
-        Column(said("frequency"), [_named(one)[0] for one in lines], "line"),
-        Column("", [_named(one)[1] for one in lines], "abbreviation"),
-        Column("Hz", [one.frequency for one in lines], "hertz", form=".2f", align="right"),
-        Column(said("order"), [one.order for one in lines], "order", form=".4f", align="right"),
+        doc.Column(said("part"), [one.part for one in lines], "part"),
+        doc.Column(said("frequency"), [_named(one)[0] for one in lines], "line"),
+        doc.Column("", [_named(one)[1] for one in lines], "abbreviation"),
+        doc.Column("Hz", [one.frequency for one in lines], "hertz", form=".2f", align="right"),
+        doc.Column(said("order"), [one.order for one in lines], "order", form=".4f", align="right"),
     )
     legends = (said("under load; orders of the rotation of the first shaft that turns"),)
     name = found.solved.steps[step]
     heading = said("Frequencies")
-    table = Table(columns, "frequencies", legends=legends)
-    return [Section(f"{heading}: {name}" if name else heading, (table,), "frequencies")]
+    table = doc.Table(columns, "frequencies", legends=legends)
+    return [doc.Section(f"{heading}: {name}" if name else heading, (table,), "frequencies")]
 
 
 # --- over a field ---------------------------------------------------------------------------------
 
 
-def machine_over_page(found: MachineCurve) -> Document:
+def machine_over_page(found: MachineCurve) -> doc.Document:
     """Return the page of a machine over one of its fields.
 
     Parameters
@@ -654,12 +642,12 @@ def machine_over_page(found: MachineCurve) -> Document:
     """
     machine = found.first.solved
 
-    def column(head: str, key: str, unit: str, values: FloatArray, most: int = 2) -> Column:
+    def column(head: str, key: str, unit: str, values: FloatArray, most: int = 2) -> doc.Column:
         form = ".3r [h]" if unit == "h" else ""
-        return Column(head, finite_cells(values.tolist()), key, unit, most=most, form=form)
+        return doc.Column(head, doc.finite_cells(values.tolist()), key, unit, most=most, form=form)
 
     columns = [
-        Column(f"{found.key}\n{found.unit}", found.values.tolist(), "value", most=4, figures=5),
+        doc.Column(f"{found.key}\n{found.unit}", found.values.tolist(), "value", most=4, figures=5),
         column(said("life"), "hours", "h", HOUR * found.hours),
     ]
     for name in machine.bearings:
@@ -679,17 +667,17 @@ def machine_over_page(found: MachineCurve) -> Document:
         ]  # fmt: skip
     each = 4
     heads = [*machine.bearings, said("Shafts")]
-    breaks = tuple(Break(2 + each * index, name) for index, name in enumerate(heads))
+    breaks = tuple(doc.Break(2 + each * index, name) for index, name in enumerate(heads))
     legends = (said("the greatest of all steps; life of all bearings together, and of each"),)
-    table = Table(tuple(columns), "over", legends=legends, fixed=2, breaks=breaks)
+    table = doc.Table(tuple(columns), "over", legends=legends, fixed=2, breaks=breaks)
     title = machine.title or said("Machine without a title")
     heading = said("{title} over {field}", title=title, field=found.key)
 
-    figure = Figure(heading, lambda: plots.machine_over_figure(found), "over")
+    figure = doc.Figure(heading, lambda: plots.machine_over_figure(found), "over")
     refused = {text: Note("text", {"text": text}) for text in found.refused if text}
     sections = [
-        Section("", (Title(heading),), "given"),
-        Section("", (figure, table), "over"),
+        doc.Section("", (doc.Title(heading),), "given"),
+        doc.Section("", (figure, table), "over"),
         *notes_section(refused.values()),
     ]
-    return Document(heading, tuple(sections), kind="machine_over", main="over")
+    return doc.Document(heading, tuple(sections), kind="machine_over", main="over")

@@ -6,19 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.heat import NODES
 from rolamento.pages.given import picture
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
@@ -33,7 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["machine_heat_page"]
 
 
-def machine_heat_page(found: MachineHeat) -> Document:
+def machine_heat_page(found: MachineHeat) -> doc.Document:
     """Return the heat balance of a machine: temperatures, what becomes of loads, what shafts carry.
 
     Parameters
@@ -42,19 +31,19 @@ def machine_heat_page(found: MachineHeat) -> Document:
         What `rolamento.heat.machine.machine_heat` gives.
     """
     title = found.machine.title or said("machine")
-    head = Section("", (Title(title), _headline(found)), "head")
+    head = doc.Section("", (doc.Title(title), _headline(found)), "head")
     sections = [head, *cautions_section(found.notes)]
     if found.warm is not None:
         caption = said("Temperatures of the bearings")
         sections += [_temperatures(found), _loads(found, found.warm), *_links(found)]
         sections.append(picture(caption, lambda: plots.machine_heat_figure(found), "heat"))
     sections += notes_section(remarks_of(found.notes))
-    return Document(title, tuple(sections), kind="machine_heat", main="bearings")
+    return doc.Document(title, tuple(sections), kind="machine_heat", main="bearings")
 
 
-def _headline(found: MachineHeat) -> Statement | KeyValues:
+def _headline(found: MachineHeat) -> doc.Statement | doc.KeyValues:
     if not found.converged:
-        return Statement(reason(found.status), "bad-strong")
+        return doc.Statement(reason(found.status), "bad-strong")
     place, node = np.unravel_index(int(np.argmax(found.temperatures)), found.temperatures.shape)
     warmest = said(
         "{bearing}, {part}: {temperature:.1f °C}",
@@ -62,11 +51,11 @@ def _headline(found: MachineHeat) -> Statement | KeyValues:
         part=said(PLACE_NAMES[NODES[int(node)]]),
         temperature=float(found.temperatures[place, node]),
     )
-    return KeyValues(
+    return doc.KeyValues(
         (
-            Entry(said("warmest part"), warmest),
-            Entry(said("power loss"), Number(float(found.power.sum()), ".4 W")),
-            Entry(
+            doc.Entry(said("warmest part"), warmest),
+            doc.Entry(said("power loss"), doc.Number(float(found.power.sum()), ".4 W")),
+            doc.Entry(
                 said("stability"),
                 said(
                     "stable: one watt of heat more makes {slope:.3} W of friction",
@@ -77,19 +66,19 @@ def _headline(found: MachineHeat) -> Statement | KeyValues:
     )
 
 
-def _temperatures(found: MachineHeat) -> Section:
-    columns = [Column("", list(found.bearings), "bearing")]
+def _temperatures(found: MachineHeat) -> doc.Section:
+    columns = [doc.Column("", list(found.bearings), "bearing")]
     for index, node in enumerate(NODES):
-        cells: list[CellContent] = [
-            Number(value, ".1f [°C]") for value in found.temperatures[:, index].tolist()
+        cells: list[doc.CellContent] = [
+            doc.Number(value, ".1f [°C]") for value in found.temperatures[:, index].tolist()
         ]
-        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
-    columns.append(Column(said("power loss"), found.power.tolist(), "power", "W"))
-    table = Table(tuple(columns), "bearings", rule=True)
-    return Section(said("Temperatures"), (table,), "bearings")
+        columns.append(doc.Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(doc.Column(said("power loss"), found.power.tolist(), "power", "W"))
+    table = doc.Table(tuple(columns), "bearings", rule=True)
+    return doc.Section(said("Temperatures"), (table,), "bearings")
 
 
-def _loads(found: MachineHeat, warm: SolvedMachine) -> Section:
+def _loads(found: MachineHeat, warm: SolvedMachine) -> doc.Section:
     """The loads of each bearing in its hardest step, cold beside warm."""
     lines: list[tuple[str, list[float]]] = []
     for name in found.bearings:
@@ -111,23 +100,23 @@ def _loads(found: MachineHeat, warm: SolvedMachine) -> Section:
         (said("radial load, warm"), "radial_warm", "N"),
         (said("p, warm"), "pressure_warm", "MPa"),
     )
-    columns = [Column("", [name for name, _ in lines], "bearing")]
+    columns = [doc.Column("", [name for name, _ in lines], "bearing")]
     for place in (0, 3, 1, 4, 2, 5):
         head, key, unit = heads[place]
-        columns.append(Column(head, [own[place] for _, own in lines], key, unit))
+        columns.append(doc.Column(head, [own[place] for _, own in lines], key, unit))
     legend = said("p maximum pressure")
-    table = Table(tuple(columns), "loads", legends=(legend,), rule=True)
-    return Section(said("Cold and warm"), (table,), "loads")
+    table = doc.Table(tuple(columns), "loads", legends=(legend,), rule=True)
+    return doc.Section(said("Cold and warm"), (table,), "loads")
 
 
-def _links(found: MachineHeat) -> list[Section]:
+def _links(found: MachineHeat) -> list[doc.Section]:
     if not found.links:
         return []
     columns = (
-        Column("", [f"{one.first} – {one.second}" for one in found.links], "bearings"),
-        Column("", [said(PLACE_NAMES[one.part]) for one in found.links], "part"),
-        Column(said("heat flow"), list(found.link_flows()), "flow", "W"),
-        Column(
+        doc.Column("", [f"{one.first} – {one.second}" for one in found.links], "bearings"),
+        doc.Column("", [said(PLACE_NAMES[one.part]) for one in found.links], "part"),
+        doc.Column(said("heat flow"), list(found.link_flows()), "flow", "W"),
+        doc.Column(
             said("conductance"),
             [one.conductance for one in found.links],
             "conductance",
@@ -135,5 +124,5 @@ def _links(found: MachineHeat) -> list[Section]:
             figures=3,
         ),
     )
-    table = Table(columns, "links", rule=True)
-    return [Section(said("Heat between the bearings"), (table,), "links")]
+    table = doc.Table(columns, "links", rule=True)
+    return [doc.Section(said("Heat between the bearings"), (table,), "links")]

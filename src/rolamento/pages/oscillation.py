@@ -6,20 +6,8 @@ from collections.abc import Iterator, Sequence
 from math import isfinite, isinf
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.given import case_page, head, picture, race_name, title_of
 from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
@@ -36,7 +24,7 @@ _LIFE: Final = ".3r"
 _UNIT: Final = "10⁶ osc."
 
 
-def oscillation_page(found: OscillationCase) -> Document:
+def oscillation_page(found: OscillationCase) -> doc.Document:
     """Return the life of one case in oscillations: the life, its races, other forms, all angles.
 
     Parameters
@@ -45,11 +33,11 @@ def oscillation_page(found: OscillationCase) -> Document:
         What `rolamento.tasks.life_in_oscillation` gives.
     """
     solved, life = found.solved, found.life
-    sections: list[Section] = []
+    sections: list[doc.Section] = []
     remarks = remarks_of(solved.notes[0])
     if life is not None:
         blocks = (*oscillation_statement(life), *cautions(life.notes))
-        sections.append(Section(said("Life in oscillations"), blocks, "life"))
+        sections.append(doc.Section(said("Life in oscillations"), blocks, "life"))
         caption = said("Life over the angle of oscillation")
         shown = picture(caption, lambda: plots.oscillation_figure(found), "oscillation")
         sections += [_races(life), _forms(life), shown]
@@ -65,7 +53,7 @@ def oscillation_page(found: OscillationCase) -> Document:
     )
 
 
-def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
+def oscillation_statement(life: OscillationLife) -> Iterator[doc.Block]:
     """Yield the life in oscillations and hours, or why there is none."""
     values = {
         "reliability": life.reliability,
@@ -75,12 +63,12 @@ def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
     }
     if life.fretting:
         text = said("No fatigue life: swinging by {angle:.4 °}, it frets first.", **values)
-        yield Statement(text, "bad-strong", indent=2)
+        yield doc.Statement(text, "bad-strong", indent=2)
         return
     if not isfinite(life.life):
         endless = isinf(life.life)
         text = said("Fatigue does not end it.") if endless else said("There is no life.")
-        yield Statement(text, "strong", indent=2)
+        yield doc.Statement(text, "strong", indent=2)
         return
     text = said(
         "{reliability:.7 %} of such bearings survive {life:.3r [10⁶ osc.]} million oscillations of"
@@ -93,17 +81,17 @@ def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
             " of {angle:.4 °}: {hours:.3r h}.",
             **values,
         )
-    yield Statement(text, "strong", indent=2)
+    yield doc.Statement(text, "strong", indent=2)
     limiting = life.limiting
-    yield Statement(said("The inner race limits it.") if limiting == "inner" else
+    yield doc.Statement(said("The inner race limits it.") if limiting == "inner" else
         said("The outer race limits it."), indent=2)  # fmt: skip
 
 
-def _races(life: OscillationLife) -> Section:
+def _races(life: OscillationLife) -> doc.Section:
     """Critical angle, lost averaging and life of each race."""
     rows = len(life.inner)
     races, places, critical, window, lives = [], [], [], [], []
-    tones: list[Tone] = []
+    tones: list[doc.Tone] = []
     for row in range(rows):
         for race in ("inner", "outer"):
             own = float(getattr(life, f"critical_{race}")[row])
@@ -113,25 +101,23 @@ def _races(life: OscillationLife) -> Section:
             window.append(float(life.window[row]) if race == life.moving else 1.0)
             lives.append(_MILLION * float(getattr(life, race)[row]))
             tones.append("warning" if life.angle < own else "")
-    columns = [Column("", races, "race", tones=tones)]
+    columns = [doc.Column("", races, "race", tones=tones)]
     if rows > 1:
-        columns.append(Column(said("row"), places, "row"))
+        columns.append(doc.Column(said("row"), places, "row"))
     columns += [
-        Column(
+        doc.Column(
             said("critical angle"),
-            [Number(value, ".4 [°]") for value in critical],
+            [doc.Number(value, ".4 [°]") for value in critical],
             "critical",
             "°",
-            align="right",
             tones=tones,
         ),
-        Column(said("lost averaging"), window, "window", "–", form=".4", tones=tones),
-        Column(
+        doc.Column(said("lost averaging"), window, "window", "–", form=".4", tones=tones),
+        doc.Column(
             said("life"),
-            [Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
+            [doc.Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
             "life",
             _UNIT,
-            align="right",
             tones=tones,
         ),
     ]
@@ -139,11 +125,11 @@ def _races(life: OscillationLife) -> Section:
         "critical angle between the end points, at which neighbouring arcs meet; lost averaging by"
         " which the life of the race that moves against the load falls"
     )
-    table = Table(tuple(columns), "races", legends=(legend,), rule=True, fixed=1)
-    return Section(said("Races"), (table,), "races")
+    table = doc.Table(tuple(columns), "races", legends=(legend,), rule=True, fixed=1)
+    return doc.Section(said("Races"), (table,), "races")
 
 
-def _forms(life: OscillationLife) -> Section:
+def _forms(life: OscillationLife) -> doc.Section:
     """The life beside what simpler forms make of it."""
     harris = said("Harris, (90°/θ) L_rot with θ = φ/2: without the lost averaging")
     makers = said("makers of robot gears, (180°/φ) (C/P)^p: of the catalogue's load")
@@ -153,23 +139,24 @@ def _forms(life: OscillationLife) -> Section:
         (makers, life.makers),
     )
     entries = [
-        Entry(name, Number(_MILLION * value, f"{_LIFE} [{_UNIT}]"), "") for name, value in rows
+        doc.Entry(name, doc.Number(_MILLION * value, f"{_LIFE} [{_UNIT}]"), "")
+        for name, value in rows
     ]
     entries.append(
-        Entry(
+        doc.Entry(
             said("reference life in rotation, million revolutions"),
-            Number(_MILLION * life.rotation, f"{_LIFE} [{_UNIT}]"),
+            doc.Number(_MILLION * life.rotation, f"{_LIFE} [{_UNIT}]"),
         )
     )
-    return Section(
-        said("Other forms, million oscillations"), (KeyValues(tuple(entries), 2),), "forms"
+    return doc.Section(
+        said("Other forms, million oscillations"), (doc.KeyValues(tuple(entries), 2),), "forms"
     )
 
 
 # --- of a histogram -------------------------------------------------------------------------------
 
 
-def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
+def oscillation_spectrum_page(found: OscillationSpectrum) -> doc.Document:
     """Return the life under a histogram of oscillations, and what each step takes of it.
 
     Parameters
@@ -195,38 +182,36 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
                 " oscillations of this duty: {hours:.3r h}.",
                 **values,
             )
-        statement = Statement(text, "strong", indent=2)
+        statement = doc.Statement(text, "strong", indent=2)
     else:
         text = said("No fatigue life: at least one step frets, or has no life.")
-        statement = Statement(text, "bad-strong", indent=2)
-    tones: list[Tone] = ["warning" if one.fretting else "" for one in found.lives]
+        statement = doc.Statement(text, "bad-strong", indent=2)
+    tones: list[doc.Tone] = ["warning" if one.fretting else "" for one in found.lives]
     columns = (
         _percent(said("share"), "share", found.steps.shares.tolist(), tones),
-        Column(
+        doc.Column(
             said("angle"),
-            [Number(one.angle, ".4 [°]") for one in found.lives],
+            [doc.Number(one.angle, ".4 [°]") for one in found.lives],
             "angle",
             "°",
-            align="right",
             tones=tones,
         ),
-        Column(
+        doc.Column(
             said("life of the step alone"),
-            [Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
+            [doc.Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
             "life",
             _UNIT,
-            align="right",
             tones=tones,
         ),
         _percent(said("share of the damage"), "damage", found.damage.tolist(), tones),
     )
-    table = Table(columns, "steps", rule=True)
-    first = Section("", (Title(title), statement, *cautions(found.notes)), "head")
-    steps = Section(said("Steps"), (table,), "steps")
+    table = doc.Table(columns, "steps", rule=True)
+    first = doc.Section("", (doc.Title(title), statement, *cautions(found.notes)), "head")
+    steps = doc.Section(said("Steps"), (table,), "steps")
     remarks = remarks_of(found.notes)
     return case_page(found.case, first, [steps], "oscillation", "steps", remarks=remarks)
 
 
-def _percent(head: str, key: str, shares: Sequence[float], tones: Sequence[Tone]) -> Column:
-    values = [Number(share, ".3 [%]") for share in shares]
-    return Column(head, values, key, "%", align="right", tones=tones)
+def _percent(head: str, key: str, shares: Sequence[float], tones: Sequence[doc.Tone]) -> doc.Column:
+    values = [doc.Number(share, ".3 [%]") for share in shares]
+    return doc.Column(head, values, key, "%", align="right", tones=tones)

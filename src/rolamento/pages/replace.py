@@ -6,21 +6,8 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.io.dates import moment_after, moment_said
 from rolamento.pages.given import picture
 from rolamento.pages.lives import FIGURES, percent
@@ -40,7 +27,7 @@ _MOST_ROWS: Final = 60
 # --- what is left of a life ------------------------------------------------------------------
 
 
-def remaining_page(study: RemainingStudy) -> Document:
+def remaining_page(study: RemainingStudy) -> doc.Document:
     """Return the page of what is left of a life.
 
     Parameters
@@ -54,7 +41,7 @@ def remaining_page(study: RemainingStudy) -> Document:
         return _nothing(title, study.distribution)
     unit = one_line(found.distribution.unit)
     confidence = percent(found.confidence)
-    statements: list[Block] = []
+    statements: list[doc.Block] = []
     if isfinite(found.mission):
         values = {"age": found.age, "mission": found.mission, "unit": unit}
         chance = found.reliability
@@ -76,9 +63,9 @@ def remaining_page(study: RemainingStudy) -> Document:
                 **values,
             )
         )
-        statements.append(Statement(text, "strong"))
+        statements.append(doc.Statement(text, "strong"))
         text = said("A new one would do so with {chance} % probability.", chance=_chance(found.new))
-        statements.append(Statement(text, "faint"))
+        statements.append(doc.Statement(text, "faint"))
     rows = [
         (said("mean"), found.mean),
         (said("median"), found.median),
@@ -89,15 +76,15 @@ def remaining_page(study: RemainingStudy) -> Document:
         ),
     ]
     columns = (
-        Column("", [name for name, _ in rows], "quantity"),
+        doc.Column("", [name for name, _ in rows], "quantity"),
         *_interval_columns([interval for _, interval in rows], unit, confidence),
     )
     heading = said("Time left after {age:.6} {unit}", age=found.age, unit=unit)
     notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (*statements, *cautions(notes)), "verdict"),
+        doc.Section("", (*statements, *cautions(notes)), "verdict"),
         _head(title, study.distribution, study.title),
-        Section(heading, (Table(columns, "residual_lives"),), "residual"),
+        doc.Section(heading, (doc.Table(columns, "residual_lives"),), "residual"),
     ]
 
     caption = said("Probability of running on, over the time from now")
@@ -105,13 +92,13 @@ def remaining_page(study: RemainingStudy) -> Document:
         *notes_section(remarks_of(notes)),
         picture(caption, lambda: plots.remaining_life_figure(found), "remaining", "figures"),
     ]
-    return Document(title, tuple(sections), kind="remaining-life", main="residual_lives")
+    return doc.Document(title, tuple(sections), kind="remaining-life", main="residual_lives")
 
 
 # --- when to replace -------------------------------------------------------------------------
 
 
-def replacement_page(study: ReplacementStudy) -> Document:
+def replacement_page(study: ReplacementStudy) -> doc.Document:
     """Return the page of the age of replacement at least cost.
 
     Parameters
@@ -125,8 +112,8 @@ def replacement_page(study: ReplacementStudy) -> Document:
         return _nothing(title, study.distribution)
     unit, money = one_line(found.distribution.unit), one_line(study.currency, 20)
     confidence = percent(found.confidence)
-    tone: Tone = "good-strong" if found.worthwhile else "warning-strong"
-    blocks: list[Block] = [Statement(_verdict(study), tone)]
+    tone: doc.Tone = "good-strong" if found.worthwhile else "warning-strong"
+    blocks: list[doc.Block] = [doc.Statement(_verdict(study), tone)]
     if found.worthwhile and isfinite(found.age.lower):
         text = said(
             "{confidence} % interval of that age: {lower} to {upper} {unit}; in {none} % of the"
@@ -137,11 +124,11 @@ def replacement_page(study: ReplacementStudy) -> Document:
             unit=unit,
             none=_chance(found.no_optimum),
         )
-        blocks.append(Statement(text, "faint"))
+        blocks.append(doc.Statement(text, "faint"))
     entries = [
-        Entry(said("planned replacement"), _money(found.planned, money)),
-        Entry(said("failure"), _money(found.failure, money)),
-        Entry(
+        doc.Entry(said("planned replacement"), _money(found.planned, money)),
+        doc.Entry(said("failure"), _money(found.failure, money)),
+        doc.Entry(
             said("replaced on failure"),
             said(
                 "{cost} per 1000 {unit}",
@@ -152,17 +139,17 @@ def replacement_page(study: ReplacementStudy) -> Document:
     ]
     if found.worthwhile:
         entries += [
-            Entry(
+            doc.Entry(
                 said("replaced at {age} {unit}", age=_time(found.age.value), unit=unit),
                 said("{cost} per 1000 {unit}", cost=_money(1000.0 * found.cost, money), unit=unit),
             ),
-            Entry(said("saving"), _interval_percent(found.saving, confidence)),
-            Entry(said("fail before that age"), said("{part} %", part=_chance(found.failed))),
-            Entry(
+            doc.Entry(said("saving"), _interval_percent(found.saving, confidence)),
+            doc.Entry(said("fail before that age"), said("{part} %", part=_chance(found.failed))),
+            doc.Entry(
                 said("mean time between replacements"),
                 said("{time:.4} {unit}", time=found.interval, unit=unit),
             ),
-            Entry(
+            doc.Entry(
                 said("cost within 5 %"),
                 said(
                     "from {low} to {high} {unit}",
@@ -174,9 +161,9 @@ def replacement_page(study: ReplacementStudy) -> Document:
         ]
     notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (*blocks, *cautions(notes)), "verdict"),
+        doc.Section("", (*blocks, *cautions(notes)), "verdict"),
         _head(title, study.distribution, study.title),
-        Section(said("Costs"), (KeyValues(tuple(entries), 2),), "costs"),
+        doc.Section(said("Costs"), (doc.KeyValues(tuple(entries), 2),), "costs"),
     ]
     if found.if_shape:
         sections.append(_if_shape(study))
@@ -188,7 +175,7 @@ def replacement_page(study: ReplacementStudy) -> Document:
             caption, lambda: plots.cost_of_ages_figure(found, study.currency), "cost", "figures"
         ),
     ]
-    return Document(title, tuple(sections), kind="age-replacement", main="if_shape")
+    return doc.Document(title, tuple(sections), kind="age-replacement", main="if_shape")
 
 
 def _verdict(study: ReplacementStudy) -> str:
@@ -213,22 +200,22 @@ def _verdict(study: ReplacementStudy) -> str:
     return said("Replace on failure: planned replacement would save less than 0.1 %.")
 
 
-def _if_shape(study: ReplacementStudy) -> Section:
+def _if_shape(study: ReplacementStudy) -> doc.Section:
     found = study.found
     assert found is not None
     unit = one_line(found.distribution.unit)
     columns = (
-        Column(said("shape"), [Number(one.shape, ".3") for one in found.if_shape], "shape"),
-        Column(
+        doc.Column(said("shape"), [doc.Number(one.shape, ".3") for one in found.if_shape], "shape"),
+        doc.Column(
             said("least cost at {unit}", unit=unit),
             [_time(one.best) for one in found.if_shape],
             "age",
             align="right",
         ),
-        Column(
+        doc.Column(
             said("saving"), [one.saving for one in found.if_shape], "saving", "%", form=".1f [%]"
         ),
-        Column(
+        doc.Column(
             said("above least"),
             [one.regret for one in found.if_shape],
             "regret",
@@ -242,14 +229,14 @@ def _if_shape(study: ReplacementStudy) -> Section:
         age=_time(found.age.value),
         unit=unit,
     )
-    table = Table(columns, "if_shape", legends=(legend,))
-    return Section(said("If the shape is different"), (table,), "if_shape")
+    table = doc.Table(columns, "if_shape", legends=(legend,))
+    return doc.Section(said("If the shape is different"), (table,), "if_shape")
 
 
 # --- a fleet ---------------------------------------------------------------------------------
 
 
-def fleet_page(study: FleetStudy) -> Document:
+def fleet_page(study: FleetStudy) -> doc.Document:
     """Return the page of the failures of a fleet.
 
     Parameters
@@ -286,17 +273,17 @@ def fleet_page(study: FleetStudy) -> Document:
             **values,
         )
     entries = [
-        Entry(
+        doc.Entry(
             said("bearings that fail"),
             said("are replaced by new ones, which may fail too")
             if found.renewed
             else said("are not replaced"),
         ),
-        Entry(said("no failure"), said("{chance} % probability", chance=_chance(found.none))),
+        doc.Entry(said("no failure"), said("{chance} % probability", chance=_chance(found.none))),
     ]
     if isfinite(found.exact[0]) and found.distribution.uncertain:
         entries.append(
-            Entry(
+            doc.Entry(
                 said("by chance alone"),
                 said(
                     "{lower} to {upper}, if the fitted distribution were exact",
@@ -313,12 +300,12 @@ def fleet_page(study: FleetStudy) -> Document:
             now=found.now,
             observed=observed,
         )
-    entries.append(Entry(said("expected by now"), text_now))
+    entries.append(doc.Entry(said("expected by now"), text_now))
     notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (Statement(text, "strong"), *cautions(notes)), "verdict"),
+        doc.Section("", (doc.Statement(text, "strong"), *cautions(notes)), "verdict"),
         _head(title, study.distribution, study.title),
-        Section("", (KeyValues(tuple(entries)),), "facts"),
+        doc.Section("", (doc.KeyValues(tuple(entries)),), "facts"),
         _steps(study),
         _bearings(study),
     ]
@@ -328,10 +315,10 @@ def fleet_page(study: FleetStudy) -> Document:
         *notes_section(remarks_of(notes)),
         picture(caption, lambda: plots.fleet_failures_figure(found), "failures", "figures"),
     ]
-    return Document(title, tuple(sections), kind="fleet", main="steps")
+    return doc.Document(title, tuple(sections), kind="fleet", main="steps")
 
 
-def _steps(study: FleetStudy) -> Section:
+def _steps(study: FleetStudy) -> doc.Section:
     from datetime import timedelta
 
     found = study.found
@@ -339,29 +326,31 @@ def _steps(study: FleetStudy) -> Section:
     ahead, unit = found.fleet.ahead, one_line(found.distribution.unit)
     if study.begin is not None and study.end is not None:
         days = (study.end - study.begin) / timedelta(days=1)
-        at: list[CellContent] = [
+        at: list[doc.CellContent] = [
             moment_after(moment_said(study.begin), step.part * days, to_the_day=True)
             for step in found.steps
         ]
         head = said("until")
     else:
         head = said("within {unit}", unit=unit)
-        at = [Number(step.part * float(ahead.max()), ".4r") for step in found.steps]
+        at = [doc.Number(step.part * float(ahead.max()), ".4r") for step in found.steps]
     columns = (
-        Column(head, at, "until", align="right"),
-        Column(said("expected"), [Number(step.expected, ".3") for step in found.steps], "expected"),
-        Column(said("from"), [int(step.lower) for step in found.steps], "lower", align="right"),
-        Column(said("to"), [int(step.upper) for step in found.steps], "upper", align="right"),
+        doc.Column(head, at, "until", align="right"),
+        doc.Column(
+            said("expected"), [doc.Number(step.expected, ".3") for step in found.steps], "expected"
+        ),
+        doc.Column(said("from"), [int(step.lower) for step in found.steps], "lower"),
+        doc.Column(said("to"), [int(step.upper) for step in found.steps], "upper"),
     )
     legend = said(
         "Cumulated failures; from–to: {confidence} % prediction interval, with chance and with the"
         " uncertainty of the distribution.",
         confidence=percent(found.confidence),
     )
-    return Section(said("Failures"), (Table(columns, "steps", legends=(legend,)),), "steps")
+    return doc.Section(said("Failures"), (doc.Table(columns, "steps", legends=(legend,)),), "steps")
 
 
-def _bearings(study: FleetStudy) -> Section:
+def _bearings(study: FleetStudy) -> doc.Section:
     found = study.found
     assert found is not None
     fleet, unit = found.fleet, one_line(found.distribution.unit)
@@ -370,42 +359,46 @@ def _bearings(study: FleetStudy) -> Section:
     columns = [
         *(
             [
-                Column(
+                doc.Column(
                     said("bearing"), [shortened(one_line(study.names[row])) for row in rows], "name"
                 )
             ]
             * named
         ),
-        Column(
+        doc.Column(
             said("has run {unit}", unit=unit),
-            [Number(float(fleet.ages[row]), ".6") for row in rows],
+            [doc.Number(float(fleet.ages[row]), ".6") for row in rows],
             "age",
         ),
-        Column(
+        doc.Column(
             said("will run {unit}", unit=unit),
-            [Number(float(fleet.ahead[row]), ".6") for row in rows],
+            [doc.Number(float(fleet.ahead[row]), ".6") for row in rows],
             "ahead",
         ),
-        Column(said("bearings"), [int(fleet.counts[row]) for row in rows], "count"),
-        Column(said("fails"), [p for _, p in found.riskiest], "probability", "%", form=".3 [%]"),
+        doc.Column(said("bearings"), [int(fleet.counts[row]) for row in rows], "count"),
+        doc.Column(
+            said("fails"), [p for _, p in found.riskiest], "probability", "%", form=".3 [%]"
+        ),
     ]
     heading = said("Most likely to fail")
     legend = said("Fails: probability that a bearing of the row fails at least once.")
-    table = Table(tuple(columns), "riskiest", legends=(legend,))
-    return Section(heading, (table,), "riskiest")
+    table = doc.Table(tuple(columns), "riskiest", legends=(legend,))
+    return doc.Section(heading, (table,), "riskiest")
 
 
 # --- what the pages share --------------------------------------------------------------------
 
 
-def _nothing(title: str, law: LifeDistribution) -> Document:
+def _nothing(title: str, law: LifeDistribution) -> doc.Document:
     advice = law.advice
     assert advice is not None
-    statement = Statement(advice.text, indent=2, mark="✗", mark_tone="bad")
-    return Document(title, (Section("", (Title(title), statement), "verdict"),), "replace")
+    statement = doc.Statement(advice.text, indent=2, mark="✗", mark_tone="bad")
+    return doc.Document(
+        title, (doc.Section("", (doc.Title(title), statement), "verdict"),), "replace"
+    )
 
 
-def _head(title: str, law: LifeDistribution, data: str) -> Section:
+def _head(title: str, law: LifeDistribution, data: str) -> doc.Section:
     unit = one_line(law.unit)
     values = {"shape": law.shape, "scale": law.scale, "unit": unit}
     how = {
@@ -425,13 +418,15 @@ def _head(title: str, law: LifeDistribution, data: str) -> Section:
             **values,
         ),
     }[law.method]
-    entries = [Entry(said("Weibull distribution"), how)]
+    entries = [doc.Entry(said("Weibull distribution"), how)]
     if data:
-        entries.insert(0, Entry(said("data"), one_line(data)))
-    return Section("", (Title(title), KeyValues(tuple(entries))), "head")
+        entries.insert(0, doc.Entry(said("data"), one_line(data)))
+    return doc.Section("", (doc.Title(title), doc.KeyValues(tuple(entries))), "head")
 
 
-def _interval_columns(intervals: list[Interval], unit: str, confidence: str) -> Iterable[Column]:
+def _interval_columns(
+    intervals: list[Interval], unit: str, confidence: str
+) -> Iterable[doc.Column]:
     heads = {
         "value": unit,
         "lower": said("from ({confidence} %)", confidence=confidence),
@@ -441,7 +436,7 @@ def _interval_columns(intervals: list[Interval], unit: str, confidence: str) -> 
     for name, head in heads.items():
         if name == "value" or known:
             values = [_time(getattr(interval, name)) for interval in intervals]
-            yield Column(head, values, name, align="right")
+            yield doc.Column(head, values, name, align="right")
 
 
 def _interval_percent(interval: Interval, confidence: str) -> str:

@@ -12,54 +12,24 @@ from functools import partial
 from math import inf, isfinite, nan
 from typing import TYPE_CHECKING, Final, cast
 
+from rolamento import document as doc
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
-from rolamento.document import (
-    Beside,
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.friction.model import REMARKS
 from rolamento.friction.models import torque_model_name
 from rolamento.life.record import BOUNDS, OUTSIDE, UNRATED, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.clearance import STEPS, chain_lines
+from rolamento.pages import quantities as q
+from rolamento.pages.clearance import STEPS, chain_lines, limit_heads
 from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.friction import power_unit, torque_unit
+from rolamento.pages.film import FILMS
+from rolamento.pages.frequencies import line_name
+from rolamento.pages.friction import SOURCES, power_unit, source_name, torque_unit
 from rolamento.pages.given import no_load_text, title_of
 from rolamento.pages.life import FACTORS, LONGEST_LIFE, hours_text, rating_source, verdict
 from rolamento.pages.preload import STAGE_NAMES
-from rolamento.pages.quantities import (
-    FILM,
-    FREQUENCIES,
-    FRICTION,
-    LIFE,
-    PRELOAD,
-    ROLLING,
-    SEALS_AND_BATH,
-    SOLVED,
-    Group,
-    Quantity,
-    beside,
-    extreme,
-    number_of,
-    tables_of,
-)
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.pages.static import static_sections
 from rolamento.records import frozen
@@ -95,11 +65,11 @@ __all__ = [
     "warnings_section",
 ]
 
-_Quantity = Quantity["CaseReport"]
-_Group = Group["CaseReport"]
+_Quantity = q.Quantity["CaseReport"]
+_Group = q.Group["CaseReport"]
 
 
-def report_page(report: Report) -> Document:
+def report_page(report: Report) -> doc.Document:
     """Return a report: title block, summary, inputs, results, remarks, equations, provenance.
 
     Parameters
@@ -119,12 +89,12 @@ def report_page(report: Report) -> Document:
         *([(said("References"), _references(solved), "references", ())] if solved else []),
         (said("Provenance"), _provenance(report), "provenance", ()),
     ]
-    sections: list[Section | Beside] = [_head(report)]
+    sections: list[doc.Section | doc.Beside] = [_head(report)]
     for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
-        sections.append(Section(f"{number}  {heading}", tuple(blocks), key, 1))
+        sections.append(doc.Section(f"{number}  {heading}", tuple(blocks), key, 1))
         sections += inner
     many = len(report.cases) > 1
-    return Document(
+    return doc.Document(
         _title(report) if many else report.cases[0].title or title_of(report.cases[0].case),
         tuple(sections),
         kind="report",
@@ -134,7 +104,7 @@ def report_page(report: Report) -> Document:
     )
 
 
-def comparison_page(report: Report, title: str = "") -> Document:
+def comparison_page(report: Report, title: str = "") -> doc.Document:
     """Return a page of several cases side by side: what differs in them, and what follows.
 
     Parameters
@@ -145,65 +115,65 @@ def comparison_page(report: Report, title: str = "") -> Document:
         Of the page.
     """
     differing, *_ = _inputs(report)
-    sections: list[Section | Beside] = [
-        Section("", (Title(title or said("Comparison")),), "title"),
+    sections: list[doc.Section | doc.Beside] = [
+        doc.Section("", (doc.Title(title or said("Comparison")),), "title"),
         summary_section(report),
         replace(differing, level=2),
         *(part_of(report, key) for key in _COMPARED),
         remarks_section(report),
     ]
-    kept = tuple(one for one in sections if isinstance(one, Beside) or one.blocks)
-    return Document(title or said("Comparison"), kept, kind="comparison", main="summary")
+    kept = tuple(one for one in sections if isinstance(one, doc.Beside) or one.blocks)
+    return doc.Document(title or said("Comparison"), kept, kind="comparison", main="summary")
 
 
-def summary_section(report: Report, *, advice: bool = True) -> Section:
+def summary_section(report: Report, *, advice: bool = True) -> doc.Section:
     """Return what leads: the status of each case, what qualifies it, life, pressure, torque.
 
     advice: whether a case without a result says what to do, and not only why.
     """
-    return Section(said("Summary"), _summary(report, advice=advice), "summary")
+    return doc.Section(said("Summary"), _summary(report, advice=advice), "summary")
 
 
-def warnings_section(report: Report) -> Section:
+def warnings_section(report: Report) -> doc.Section:
     """Return the limits that are passed, and what the summary has to be read with."""
-    return Section(said("Warnings"), _qualifications(report), "warnings")
+    return doc.Section(said("Warnings"), _qualifications(report), "warnings")
 
 
-def remarks_section(report: Report) -> Section:
+def remarks_section(report: Report) -> doc.Section:
     """Return what else the reader should know; without blocks where there is nothing."""
-    return Section(said("Remarks"), _remarks(report), "remarks")
+    return doc.Section(said("Remarks"), _remarks(report), "remarks")
 
 
-def part_of(report: Report, key: str) -> Section:
+def part_of(report: Report, key: str) -> doc.Section:
     """Return a part of the results by its key in `PARTS`; without blocks where no case has it."""
     part = PARTS[key]
-    return Section(said(part.label), tuple(part.blocks(report)), key)
+    return doc.Section(said(part.label), tuple(part.blocks(report)), key)
 
 
 # --- the head -------------------------------------------------------------------------------------
 
 
-def _head(report: Report) -> Section:
+def _head(report: Report) -> doc.Section:
     head = report.head
     entries = [
-        *([Entry(said("project"), head.project)] if head.project else []),
+        *([doc.Entry(said("project"), head.project)] if head.project else []),
         *_case_titles(report),
-        *([Entry(said("author"), head.author)] if head.author else []),
-        *([Entry(said("revision"), head.revision)] if head.revision else []),
-        Entry(said("date"), head.date),
-        Entry(said("checked by"), head.checked_by or "_" * 24),
-        Entry(said("program"), said("Rolamento {version}", version=report.version)),
+        *([doc.Entry(said("author"), head.author)] if head.author else []),
+        *([doc.Entry(said("revision"), head.revision)] if head.revision else []),
+        doc.Entry(said("date"), head.date),
+        doc.Entry(said("checked by"), head.checked_by or "_" * 24),
+        doc.Entry(said("program"), said("Rolamento {version}", version=report.version)),
     ]
-    blocks = (Title(_title(report)), KeyValues(tuple(entries)), _drawing(report.cases[0]))
-    return Section("", blocks, "title_block")
+    blocks = (doc.Title(_title(report)), doc.KeyValues(tuple(entries)), _drawing(report.cases[0]))
+    return doc.Section("", blocks, "title_block")
 
 
-def _drawing(case: CaseReport) -> Figure:
+def _drawing(case: CaseReport) -> doc.Figure:
     """The bearing in section, with what acts on it."""
     from rolamento.plots.bearing_section import draw_section, section_drawing
 
     drawing = section_drawing(case.case, case.analysis.solved)
-    return Figure(
+    return doc.Figure(
         drawing.remark, lambda: draw_section(drawing), "section", alternative=drawing.said
     )
 
@@ -215,11 +185,11 @@ def _title(report: Report) -> str:
     return said("Bearing calculation report: comparison of {n} cases", n=count)
 
 
-def _case_titles(report: Report) -> list[Entry]:
+def _case_titles(report: Report) -> list[doc.Entry]:
     if len(report.cases) == 1:
-        return [Entry(said("case"), report.cases[0].title or title_of(report.cases[0].case))]
+        return [doc.Entry(said("case"), report.cases[0].title or title_of(report.cases[0].case))]
     return [
-        Entry(said("case {name}", name=case.name), case.title or title_of(case.case))
+        doc.Entry(said("case {name}", name=case.name), case.title or title_of(case.case))
         for case in report.cases
     ]
 
@@ -330,10 +300,10 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
 
 
 _REMARK: Final = 2
-_TONES: Final[tuple[Tone, ...]] = ("bad", "warning", "")
+_TONES: Final[tuple[doc.Tone, ...]] = ("bad", "warning", "")
 
 
-def _qualifications(report: Report) -> tuple[Statement | Notes, ...]:
+def _qualifications(report: Report) -> tuple[doc.Statement | doc.Notes, ...]:
     """Return what the summary has to be read with: limits that are passed, then other notes."""
     found = [one for one in _warnings(report) if one[0].weight < _REMARK]
     if found:
@@ -341,41 +311,43 @@ def _qualifications(report: Report) -> tuple[Statement | Notes, ...]:
     loaded = all(
         case.converged and not nothing_given(case.analysis.solved) for case in report.cases
     )
-    return (Statement(said("No warnings."), "good", mark="✓"),) if loaded else ()
+    return (doc.Statement(said("No warnings."), "good", mark="✓"),) if loaded else ()
 
 
-def _remarks(report: Report) -> tuple[Notes, ...]:
+def _remarks(report: Report) -> tuple[doc.Notes, ...]:
     """Return what else is to be known; nothing without."""
     found = [one for one in _warnings(report) if one[0].weight == _REMARK]
     return (_notes(report, found),) if found else ()
 
 
-def _notes(report: Report, warnings: Sequence[tuple[_Warning, str]]) -> Notes:
+def _notes(report: Report, warnings: Sequence[tuple[_Warning, str]]) -> doc.Notes:
     many = len(report.cases) > 1
     remarks = []
     for warning, names in warnings:
         text = warning.text
         if many:
             text = said("Case {names}: {text}", names=names, text=text)
-        remarks.append(Remark(text, warning.key, _TONES[warning.weight]))
-    return Notes(tuple(remarks))
+        remarks.append(doc.Remark(text, warning.key, _TONES[warning.weight]))
+    return doc.Notes(tuple(remarks))
 
 
 # --- summary --------------------------------------------------------------------------------------
 
 
-def _summary(report: Report, *, advice: bool = True) -> tuple[Statement | Notes | Table, ...]:
+def _summary(
+    report: Report, *, advice: bool = True
+) -> tuple[doc.Statement | doc.Notes | doc.Table, ...]:
     many = len(report.cases) > 1
     statements = [_status_statement(case, many=many, advice=advice) for case in report.cases]
     solved = [case.analysis.solved for case in report.cases if case.converged]
     rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
-    tables = tables_of(report.cases, [("", rows)], "summary")
+    tables = q.tables_of(report.cases, [("", rows)], "summary")
     if len(report.cases) == 1 and tables:
         tables = (_with_limits(report, rows, tables[0]),)
     return (*statements, *_verdict_of(report), *tables, *_qualifications(report))
 
 
-def _with_limits(report: Report, rows: Sequence[_Quantity], table: Table) -> Table:
+def _with_limits(report: Report, rows: Sequence[_Quantity], table: doc.Table) -> doc.Table:
     """The table of the summary with what each row is held against."""
     case = report.cases[0]
     shown = [row for row in rows if row.known(report.cases)]
@@ -383,14 +355,14 @@ def _with_limits(report: Report, rows: Sequence[_Quantity], table: Table) -> Tab
     if not any(limit for limit, _, _ in found):
         return table
     *columns, path = table.columns
-    tones: list[Tone] = [tone for _, _, tone in found]
-    beside = Column(said("limit"), [one[0] for one in found], "limit", tones=tones)
-    return replace(table, columns=(*columns, beside, path))
+    tones: list[doc.Tone] = [tone for _, _, tone in found]
+    limits = doc.Column(said("limit"), [one[0] for one in found], "limit", tones=tones)
+    return replace(table, columns=(*columns, limits, path))
 
 
-def _verdict_of(report: Report) -> tuple[Statement, ...]:
+def _verdict_of(report: Report) -> tuple[doc.Statement, ...]:
     """Say in a line whether the limits that are checked are kept; nothing without a result."""
-    found: list[Statement] = []
+    found: list[doc.Statement] = []
     for case in report.cases:
         figures = key_figures(case, report)
         if not figures:
@@ -404,11 +376,11 @@ def _verdict_of(report: Report) -> tuple[Statement, ...]:
             text, tone, mark = said("Within the limits that are checked."), "good", "✓"
         if len(report.cases) > 1:
             text = said("Case {names}: {text}", names=case.name, text=text)
-        found.append(Statement(text, cast("Tone", tone), mark=mark))
+        found.append(doc.Statement(text, cast("doc.Tone", tone), mark=mark))
     return tuple(found)
 
 
-def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> Statement:
+def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> doc.Statement:
     status = case.analysis.solved.status
     empty = case.converged and nothing_given(case.analysis.solved)
     if empty:
@@ -424,8 +396,8 @@ def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> Statemen
     if many:
         text = said("Case {names}: {text}", names=case.name, text=text)
     if empty:
-        return Statement(text, "warning-strong", mark="!")
-    return Statement(text, "good" if case.converged else "bad-strong",
+        return doc.Statement(text, "warning-strong", mark="!")
+    return doc.Statement(text, "good" if case.converged else "bad-strong",
                      mark="✓" if case.converged else "✗")  # fmt: skip
 
 
@@ -433,8 +405,8 @@ def _summary_rows(report: Report) -> list[_Quantity]:
     torque, power = _torque_form(report), _power_form(report)
     return [
         _life_row(report),
-        Quantity(said("theory used"), _leading),
-        Quantity(
+        q.Quantity(said("theory used"), _leading),
+        q.Quantity(
             said("reliability at the required life"),
             _reliability,
             ".4 %",
@@ -442,15 +414,15 @@ def _summary_rows(report: Report) -> list[_Quantity]:
         ),
         _static_safety(),
         _load_ratio(),
-        extreme(said("maximum contact pressure"), "max_pressure", ".4 MPa"),
+        q.extreme(said("maximum contact pressure"), "max_pressure", ".4 MPa"),
         _viscosity_ratio(),
-        extreme(said("minimum film parameter λ"), "film_parameter", ".3"),
-        Quantity(said("speed"), _speed, ".5 rpm"),
+        q.extreme(said("minimum film parameter λ"), "film_parameter", ".3"),
+        q.Quantity(said("speed"), _speed, ".5 rpm"),
         _torque(report, said("friction torque"), said("friction torque, at most"), torque),
         _power(report, power),
-        ROLLING(said("friction power (friction control)"), "power", power),
+        q.ROLLING(said("friction power (friction control)"), "power", power),
         _clearance_row(said("mean clearance in operation"), "mean"),
-        PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
+        q.PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
         _stiffness_row(said("axial stiffness"), 0),
         _stiffness_row(said("radial stiffness (z)"), 2),
     ]
@@ -471,38 +443,38 @@ def _speed(case: CaseReport) -> float | None:
 
 
 def _static_safety() -> _Quantity:
-    return LIFE(
+    return q.LIFE(
         said("static safety factor S_0"), "loads.static_safety", ".3", lambda own: own.loads.safety
     )
 
 
 def _load_ratio() -> _Quantity:
-    return extreme(said("load ratio C/P"), "load_ratio", ".3")
+    return q.extreme(said("load ratio C/P"), "load_ratio", ".3")
 
 
 def _viscosity_ratio() -> _Quantity:
-    return FILM(said("viscosity ratio κ"), "viscosity_ratio", ".3")
+    return q.FILM(said("viscosity ratio κ"), "viscosity_ratio", ".3")
 
 
 def _torque(report: Report, usual: str, bounded: str, form: str) -> _Quantity:
-    return FRICTION(_bounded(report, usual, bounded), "torque", form)
+    return q.FRICTION(_bounded(report, usual, bounded), "torque", form)
 
 
 def _power(report: Report, form: str) -> _Quantity:
     label = _bounded(report, said("friction power"), said("friction power, at most"))
-    return FRICTION(label, "power", form)
+    return q.FRICTION(label, "power", form)
 
 
 def _clearance_row(label: str, name: str) -> _Quantity:
     def of(case: CaseReport) -> float | None:
         return None if case.clearance is None else float(getattr(case.clearance, name))
 
-    return Quantity(label, of, ".3 µm", f"clearance.{name}")
+    return q.Quantity(label, of, ".3 µm", f"clearance.{name}")
 
 
 def _stiffness_row(label: str, at: int) -> _Quantity:
     form = ".4 N/µm" if at < 3 else ".4 N·m/mrad"
-    return SOLVED(label, f"stiffness.{at}.{at}", form, lambda own: own.stiffness.array[0, at, at])
+    return q.SOLVED(label, f"stiffness.{at}.{at}", form, lambda own: own.stiffness.array[0, at, at])
 
 
 # --- key figures ----------------------------------------------------------------------------------
@@ -534,7 +506,7 @@ class KeyFigure:
     unit: str = ""
     limit: str = ""
     share: float | None = None
-    tone: Tone = ""
+    tone: doc.Tone = ""
 
 
 def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
@@ -562,13 +534,13 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
     return (*found, *_tilt_figure(case))
 
 
-def _shown(cell: str | Number) -> str:
+def _shown(cell: str | doc.Number) -> str:
     if isinstance(cell, str):
         return cell
     return manner().number(cell.value, cell.form) if isfinite(cell.value) else ""
 
 
-def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, Tone]:
+def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, doc.Tone]:
     """What a row of the summary is held against: the limit, the share of it, the tone."""
     checks = {check.name: check for check in case.checks}
     value = row.number(case)
@@ -592,7 +564,7 @@ def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, Tone
         return text, limit.share, "warning" if limit.share > 1.0 else ""
     for path, least, refused in _LEAST:
         if row.path == path and value is not None and value > 0.0:
-            tone: Tone = "" if value >= least else "bad" if value < refused else "warning"
+            tone: doc.Tone = "" if value >= least else "bad" if value < refused else "warning"
             return said("at least {limit:.3}", limit=least), min(least / value, 9.0), tone
     hours = _hours(case)
     required = case.case.life.required_life if case.case.life is not None else None
@@ -635,7 +607,7 @@ def _tilt_figure(case: CaseReport) -> Iterator[KeyFigure]:
             )
 
 
-def comparison_sections(report: Report) -> tuple[Section, Section]:
+def comparison_sections(report: Report) -> tuple[doc.Section, doc.Section]:
     """Return the summary of several cases in two: what differs, and what is the same in all.
 
     Parameters
@@ -651,14 +623,14 @@ def comparison_sections(report: Report) -> tuple[Section, Section]:
         texts = {_shown(row.cell(case)) for case in report.cases}
         (same if len(texts) == 1 else differing).append(row)
     return (
-        Section(
+        doc.Section(
             said("What differs"),
-            tables_of(report.cases, [("", differing)], "summary", abreast=3),
+            q.tables_of(report.cases, [("", differing)], "summary", abreast=3),
             "summary",
         ),
-        Section(
+        doc.Section(
             said("The same in all"),
-            tables_of(report.cases, [("", same)], "same", abreast=3),
+            q.tables_of(report.cases, [("", same)], "same", abreast=3),
             "same",
         ),
     )
@@ -666,15 +638,15 @@ def comparison_sections(report: Report) -> tuple[Section, Section]:
 
 def _hours(case: CaseReport) -> float | None:
     life = case.analysis.life
-    return None if life is None else number_of(life.headline.hours)
+    return None if life is None else q.number_of(life.headline.hours)
 
 
 def _life_row(report: Report) -> _Quantity:
     """The leading life; in words where fatigue does not decide, or no theory is valid."""
     label = said("rating life")
     if all(_is_plain(case) for case in report.cases):
-        return Quantity(label, _hours, ".4r", "analysis.life.headline.hours", "h")
-    return Quantity(label, _life_text)
+        return q.Quantity(label, _hours, ".4r", "analysis.life.headline.hours", "h")
+    return q.Quantity(label, _life_text)
 
 
 def _is_plain(case: CaseReport) -> bool:
@@ -745,26 +717,26 @@ TABLES: Final = {
 }
 
 
-def _inputs(report: Report) -> list[Section]:
+def _inputs(report: Report) -> list[doc.Section]:
     """Every input with its origin; of several cases first those that differ."""
     fields = _all_fields(report)
     sources = _Sources()
     if len(report.cases) == 1:
         table = _input_table(report, fields, [0], "inputs", sources)
-        return [Section("", (*table, *sources.blocks()), "inputs_table")]
+        return [doc.Section("", (*table, *sources.blocks()), "inputs_table")]
     equal = [field for field in fields if not _differing(report, field)]
-    tables: list[Table] = []
+    tables: list[doc.Table] = []
     for index in range(1, len(report.cases)):
         own = [field for field in fields if index in _differing(report, field)]
         key = "inputs_that_differ" + (f"_{index}" if index > 1 else "")
         tables += _input_table(report, own, [0, index], key, sources)
-    same: Sequence[Statement | Table] = tables or [
-        Statement(said("The cases have the same inputs."))
+    same: Sequence[doc.Statement | doc.Table] = tables or [
+        doc.Statement(said("The cases have the same inputs."))
     ]
     rest = _input_table(report, equal, [0], "inputs_in_common", sources)
     return [
-        Section(said("Inputs that differ"), tuple(same), "differing_inputs", 3),
-        Section(said("Inputs in common"), (*rest, *sources.blocks()), "common_inputs", 3),
+        doc.Section(said("Inputs that differ"), tuple(same), "differing_inputs", 3),
+        doc.Section(said("Inputs in common"), (*rest, *sources.blocks()), "common_inputs", 3),
     ]
 
 
@@ -784,9 +756,9 @@ class _Sources:
             self._found.append(found.source)
         return f"{origin} [{self._found.index(found.source) + 1}]"
 
-    def blocks(self) -> tuple[Statement, ...]:
+    def blocks(self) -> tuple[doc.Statement, ...]:
         return tuple(
-            Statement(source, "faint", indent=2, mark=f"[{number}]")
+            doc.Statement(source, "faint", indent=2, mark=f"[{number}]")
             for number, source in enumerate(self._found, start=1)
         )
 
@@ -815,7 +787,7 @@ def _differing(report: Report, field: str) -> list[int]:
 
 def _input_table(
     report: Report, fields: Sequence[str], cases: Sequence[int], key: str, sources: _Sources
-) -> list[Table]:
+) -> list[doc.Table]:
     if not fields:
         return []
     first = {field: _any_input(report, field) for field in fields}
@@ -827,15 +799,15 @@ def _input_table(
             place = table
     many = len(cases) > 1
     columns = [
-        Column(said("input"), [_label(field) for field in fields], "input"),
-        Column(said("field"), list(fields), "field", tone="faint", only_in_files=many),
-        Column(said("unit"), [first[f].unit for f in fields], "unit", tone="faint"),
+        doc.Column(said("input"), [_label(field) for field in fields], "input"),
+        doc.Column(said("field"), list(fields), "field", tone="faint", only_in_files=many),
+        doc.Column(said("unit"), [first[f].unit for f in fields], "unit", tone="faint"),
     ]
     for index in cases:
         case = report.cases[index]
         own = [case.input(field) for field in fields]
         columns.append(
-            Column(
+            doc.Column(
                 said("case {name}", name=case.name) if many else said("value"),
                 [_input_cell(one) for one in own],
                 case.name,
@@ -845,9 +817,9 @@ def _input_table(
         if index:
             columns += _input_differences(report, fields, index)
         columns.append(
-            Column(said("origin"), [sources.cell(one) for one in own], f"{case.name}_origin")
+            doc.Column(said("origin"), [sources.cell(one) for one in own], f"{case.name}_origin")
         )
-    return [Table(tuple(columns), key, groups=tuple(groups), rule=True, fixed=2)]
+    return [doc.Table(tuple(columns), key, groups=tuple(groups), rule=True, fixed=2)]
 
 
 def _any_input(report: Report, field: str) -> Input:
@@ -864,20 +836,20 @@ def _label(field: str) -> str:
     return said("{what}, {which}", what=known[listed].entries[leaf].label, which=index)
 
 
-def _input_cell(found: Input | None) -> CellContent:
+def _input_cell(found: Input | None) -> doc.CellContent:
     if found is None:
-        return Number(nan)
+        return doc.Number(nan)
     value = found.value
     if isinstance(value, bool):
         return said("yes") if value else said("no")
     if isinstance(value, str):
         return value
-    return Number(float(value), f".10 [{found.unit}]" if found.unit else ".10")
+    return doc.Number(float(value), f".10 [{found.unit}]" if found.unit else ".10")
 
 
-def _input_differences(report: Report, fields: Sequence[str], case: int) -> list[Column]:
-    absolute: list[CellContent] = []
-    relative: list[CellContent] = []
+def _input_differences(report: Report, fields: Sequence[str], case: int) -> list[doc.Column]:
+    absolute: list[doc.CellContent] = []
+    relative: list[doc.CellContent] = []
     for field in fields:
         own = report.cases[case].input(field)
         difference, share = report.input_difference(field, case)
@@ -885,21 +857,21 @@ def _input_differences(report: Report, fields: Sequence[str], case: int) -> list
         if difference is None:
             absolute.append(None)
         else:
-            absolute.append(Number(difference, f"+.6 [{unit}]" if unit else "+.6"))
-        relative.append(None if share is None or unit == "K" else Number(share, "+.1f [%]"))
+            absolute.append(doc.Number(difference, f"+.6 [{unit}]" if unit else "+.6"))
+        relative.append(None if share is None or unit == "K" else doc.Number(share, "+.1f [%]"))
     name = report.cases[case].name
     return [
-        Column("Δ", absolute, f"{name}_difference", align="right", tone="faint"),
-        Column("Δ, %", relative, f"{name}_percent", align="right", tone="faint"),
+        doc.Column("Δ", absolute, f"{name}_difference", align="right", tone="faint"),
+        doc.Column("Δ, %", relative, f"{name}_percent", align="right", tone="faint"),
     ]
 
 
 # --- results --------------------------------------------------------------------------------------
 
 
-def _results(report: Report) -> list[Section | Beside]:
+def _results(report: Report) -> list[doc.Section | doc.Beside]:
     """All results: a table for all cases, and for each what has a line a ball."""
-    sections: list[Section | Beside] = []
+    sections: list[doc.Section | doc.Beside] = []
 
     def add(key: str, heading: str = "") -> None:
         part = part_of(report, key)
@@ -922,18 +894,18 @@ def _results(report: Report) -> list[Section | Beside]:
         said("Element loads compared"),
     )
     loads = _ball_loads(report)
-    sections += [Section(compared, loads, "ball_loads", 3)] * bool(loads)
+    sections += [doc.Section(compared, loads, "ball_loads", 3)] * bool(loads)
     for key in ("contacts", "film", "friction", "heat", "frequencies", "stiffness"):
         add(key)
     for case in report.cases:
         sections += _asked(report, case)
-    missing = Notes(_missing(report))
+    missing = doc.Notes(_missing(report))
     if missing.remarks:
-        sections.append(Section(said("Not calculated"), (missing,), "missing", 3))
+        sections.append(doc.Section(said("Not calculated"), (missing,), "missing", 3))
     return sections
 
 
-def _asked(report: Report, case: CaseReport) -> list[Section]:
+def _asked(report: Report, case: CaseReport) -> list[doc.Section]:
     """Static safety and electricity of a case that asks for them."""
     parts = []
     if case.static_safety is not None:
@@ -954,9 +926,9 @@ def _of_case(report: Report, case: CaseReport, heading: str) -> str:
     return said("{what}, case {name}", what=heading, name=case.name)
 
 
-def _named(report: Report, case: CaseReport) -> list[Title]:
+def _named(report: Report, case: CaseReport) -> list[doc.Title]:
     """The name of a case over its blocks, where there are several."""
-    return [Title(said("case {name}", name=case.name))] * (len(report.cases) > 1)
+    return [doc.Title(said("case {name}", name=case.name))] * (len(report.cases) > 1)
 
 
 def _elements(report: Report) -> list[str]:
@@ -964,7 +936,7 @@ def _elements(report: Report) -> list[str]:
     return [place.bearing.element for case in report.cases for place in case.case.bearing.places]
 
 
-def _missing(report: Report) -> tuple[Remark, ...]:
+def _missing(report: Report) -> tuple[doc.Remark, ...]:
     """Say which parts no case has, and what they need."""
     solved = [case for case in report.cases if case.converged]
     texts = (
@@ -974,7 +946,7 @@ def _missing(report: Report) -> tuple[Remark, ...]:
         ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),
     )
     remarks = [
-        Remark(text, name)
+        doc.Remark(text, name)
         for name, text in texts
         if all(getattr(case.analysis, name) is None for case in solved)
     ]
@@ -982,11 +954,11 @@ def _missing(report: Report) -> tuple[Remark, ...]:
         text = said(
             "Clearance in operation: requires [mounting]; the clearance of the inputs is used."
         )
-        remarks.append(Remark(text, "clearance"))
+        remarks.append(doc.Remark(text, "clearance"))
     return tuple(remarks)
 
 
-def _loads(report: Report) -> tuple[Table, ...]:
+def _loads(report: Report) -> tuple[doc.Table, ...]:
     lives = [case.analysis.life for case in report.cases if case.analysis.life is not None]
     axial = bool(lives) and all(found.ratings.is_axial for found in lives)
     dynamic, static = (
@@ -1000,17 +972,19 @@ def _loads(report: Report) -> tuple[Table, ...]:
         else (said("basic dynamic load rating C"), said("basic static load rating C_0"))
     )
     rows = [
-        LIFE(dynamic, "loads.equivalent", ".4 N", lambda own: own.loads.dynamic),
-        LIFE(said("radial load factor X"), "loads.radial_factor"),
-        LIFE(said("axial load factor Y"), "loads.axial_factor"),
-        LIFE(said("axial load limit e"), "loads.load_ratio_limit", get=lambda own: own.loads.limit),
-        LIFE(static, "loads.static_equivalent", ".4 N", lambda own: own.loads.static),
-        extreme(said("load of the reference life P_ref"), "reference_load", ".4 N"),
+        q.LIFE(dynamic, "loads.equivalent", ".4 N", lambda own: own.loads.dynamic),
+        q.LIFE(said("radial load factor X"), "loads.radial_factor"),
+        q.LIFE(said("axial load factor Y"), "loads.axial_factor"),
+        q.LIFE(
+            said("axial load limit e"), "loads.load_ratio_limit", get=lambda own: own.loads.limit
+        ),
+        q.LIFE(static, "loads.static_equivalent", ".4 N", lambda own: own.loads.static),
+        q.extreme(said("load of the reference life P_ref"), "reference_load", ".4 N"),
     ]
     ratings = [
-        LIFE(rated, "ratings.dynamic", ".5 N", lambda own: own.ratings.dynamic_of_set),
-        LIFE(rated_at_rest, "ratings.static", ".5 N", lambda own: own.ratings.static_of_set),
-        LIFE(
+        q.LIFE(rated, "ratings.dynamic", ".5 N", lambda own: own.ratings.dynamic_of_set),
+        q.LIFE(rated_at_rest, "ratings.static", ".5 N", lambda own: own.ratings.static_of_set),
+        q.LIFE(
             said("fatigue load limit C_u"),
             "ratings.fatigue",
             ".5 N",
@@ -1023,7 +997,7 @@ def _loads(report: Report) -> tuple[Table, ...]:
         (said("Ratings"), ratings),
         (said("Safety"), safety),
     ]
-    return tables_of(report.cases, groups, "loads", legends=_rating_sources(report))
+    return q.tables_of(report.cases, groups, "loads", legends=_rating_sources(report))
 
 
 def _rating_sources(report: Report) -> tuple[str, ...]:
@@ -1051,7 +1025,7 @@ def _rating_sources(report: Report) -> tuple[str, ...]:
 
 def _rating_source(case: CaseReport, name: str) -> str:
     life = case.analysis.life
-    if life is None or number_of(getattr(life.ratings, f"{name}_of_set")) is None:
+    if life is None or q.number_of(getattr(life.ratings, f"{name}_of_set")) is None:
         return ""
     given = life.rating_sources[name] == "given"
     return said("case file") if given else rating_source(life, name)
@@ -1060,7 +1034,7 @@ def _rating_source(case: CaseReport, name: str) -> str:
 # --- lives ----------------------------------------------------------------------------------------
 
 
-def _lives(report: Report) -> list[Table | Statement]:
+def _lives(report: Report) -> list[doc.Table | doc.Statement]:
     theories = [
         name
         for name in THEORIES
@@ -1078,17 +1052,17 @@ def _lives(report: Report) -> list[Table | Statement]:
         rows = [
             _hours_row(report, said("life"), name),
             _factor(said("life modification factor a_ISO"), name, "a_iso"),
-            Quantity(said("valid here"), partial(_verdict, theory=name)),
+            q.Quantity(said("valid here"), partial(_verdict, theory=name)),
         ]
         groups.append((theory_name(name), rows))
     common = [
-        LIFE(said("reliability"), "headline.reliability", ".6 %"),
+        q.LIFE(said("reliability"), "headline.reliability", ".6 %"),
         _factor(said("reliability factor a_1"), theories[0], "a_1"),
-        LIFE(said("viscosity ratio κ"), "viscosity_ratio", ".3"),
-        LIFE(said("contamination factor e_C"), "contamination_factor", ".3"),
+        q.LIFE(said("viscosity ratio κ"), "viscosity_ratio", ".3"),
+        q.LIFE(said("contamination factor e_C"), "contamination_factor", ".3"),
     ]
     groups.append((said("Conditions"), common))
-    return list(tables_of(report.cases, groups, "lives", legends=_life_legends()))
+    return list(q.tables_of(report.cases, groups, "lives", legends=_life_legends()))
 
 
 def _own_life(case: CaseReport, theory: str) -> Life | None:
@@ -1098,12 +1072,12 @@ def _own_life(case: CaseReport, theory: str) -> Life | None:
 def _factor(label: str, theory: str, name: str) -> _Quantity:
     def of(case: CaseReport) -> float | None:
         own = _own_life(case, theory)
-        return None if own is None or name not in own.factors else number_of(own.factors[name])
+        return None if own is None or name not in own.factors else q.number_of(own.factors[name])
 
-    return Quantity(label, of, path=f"analysis.life.theories.{theory}.factors.{name}")
+    return q.Quantity(label, of, path=f"analysis.life.theories.{theory}.factors.{name}")
 
 
-def _service_lives(report: Report) -> list[Section]:
+def _service_lives(report: Report) -> list[doc.Section]:
     """What ends each case first, where that may be another thing than fatigue."""
     from rolamento.pages.service_life import time_line
 
@@ -1115,11 +1089,11 @@ def _service_lives(report: Report) -> list[Section]:
         heading = _of_case(report, case, said("What ends it first"))
         figure = replace(time_line(found), key=f"service_life_{case.name}")
         blocks = (*_endings(found), figure)
-        sections.append(Section(heading, blocks, f"service_life_{case.name}", 3))
+        sections.append(doc.Section(heading, blocks, f"service_life_{case.name}", 3))
     return sections
 
 
-def _endings(found: ServiceLife) -> Iterator[Block]:
+def _endings(found: ServiceLife) -> Iterator[doc.Block]:
     """Yield what ends a case first, what qualifies it, and all endings side by side."""
     from rolamento.pages.notes import cautions
     from rolamento.pages.service_life import endings_section, service_life_statement
@@ -1131,7 +1105,7 @@ def _endings(found: ServiceLife) -> Iterator[Block]:
     yield from endings_section(found).blocks
 
 
-def _all_endings(report: Report) -> list[Block]:
+def _all_endings(report: Report) -> list[doc.Block]:
     """What ends every case first, without pictures."""
     return [
         block
@@ -1146,14 +1120,14 @@ def _hours_row(report: Report, label: str, theory: str) -> _Quantity:
 
     def of(case: CaseReport) -> float | None:
         own = _own_life(case, theory)
-        return None if own is None else number_of(own.hours)
+        return None if own is None else q.number_of(own.hours)
 
     def text(case: CaseReport) -> str:
         return "" if (hours := of(case)) is None else hours_text(hours)
 
     if all((of(case) or 0.0) <= LONGEST_LIFE for case in report.cases):
-        return Quantity(label, of, ".4r", f"analysis.life.theories.{theory}.hours", "h")
-    return Quantity(label, text, unit="h")
+        return q.Quantity(label, of, ".4r", f"analysis.life.theories.{theory}.hours", "h")
+    return q.Quantity(label, text, unit="h")
 
 
 def _life_legends() -> tuple[str, ...]:
@@ -1166,37 +1140,37 @@ def _life_legends() -> tuple[str, ...]:
     )
 
 
-def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
+def _theory_table(case: CaseReport, theories: Sequence[str]) -> doc.Table:
     """The theories of one case side by side, with their factors."""
     base = "analysis.life.theories"
     leading = _chosen(case)
-    tones: list[Tone] = [
+    tones: list[doc.Tone] = [
         "strong" if name == leading else "" if _verdict(case, name) != said("no") else "faint"
         for name in theories
     ]
-    columns = [Column(said("theory"), list(map(theory_name, theories)), "theory", tones=tones)]
+    columns = [doc.Column(said("theory"), list(map(theory_name, theories)), "theory", tones=tones)]
     lives = [own for name in theories if (own := _own_life(case, name)) is not None]
-    millions = [number_of(own.life) for own in lives]
-    cells: list[CellContent] = [
-        Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
+    millions = [q.number_of(own.life) for own in lives]
+    cells: list[doc.CellContent] = [
+        doc.Number(nan) if own is None else doc.Number(own, ".2e" if own >= 1e6 else ".4r")
         for own in millions
     ]
-    columns.append(Column("10⁶ rev", cells, "life", align="right", tones=tones))
+    columns.append(doc.Column("10⁶ rev", cells, "life", align="right", tones=tones))
     columns.append(
-        Column("h", [_hours_cell(own) for own in lives], "hours", align="right", tones=tones)
+        doc.Column("h", [_hours_cell(own) for own in lives], "hours", align="right", tones=tones)
     )
     for head, name in FACTORS:
-        found = [number_of(own.factors[name]) if name in own.factors else None for own in lives]
+        found = [q.number_of(own.factors[name]) if name in own.factors else None for own in lives]
         if any(own is not None for own in found):
-            cells = [None if own is None else Number(own, ".3") for own in found]
-            columns.append(Column(head, cells, f"factors.{name}", align="right", tones=tones))
+            cells = [None if own is None else doc.Number(own, ".3") for own in found]
+            columns.append(doc.Column(head, cells, f"factors.{name}", align="right", tones=tones))
     columns.append(
-        Column(
+        doc.Column(
             said("valid here"), [_verdict(case, name) for name in theories], "valid", tones=tones
         )
     )
     columns.append(
-        Column("path", [f"{base}.{name}" for name in theories], "path", only_in_files=True)
+        doc.Column("path", [f"{base}.{name}" for name in theories], "path", only_in_files=True)
     )
     reliability = lives[0].reliability
     legends = (
@@ -1204,7 +1178,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
              reliability=reliability),
         *_life_legends(),
     )  # fmt: skip
-    return Table(tuple(columns), f"lives_{case.name}", legends=legends, rule=True)
+    return doc.Table(tuple(columns), f"lives_{case.name}", legends=legends, rule=True)
 
 
 def _chosen(case: CaseReport) -> str:
@@ -1212,11 +1186,11 @@ def _chosen(case: CaseReport) -> str:
     return "" if life is None or not life.headline.leads[0] else str(life.headline.theory[0])
 
 
-def _hours_cell(own: Life) -> CellContent:
-    hours = number_of(own.hours)
+def _hours_cell(own: Life) -> doc.CellContent:
+    hours = q.number_of(own.hours)
     if hours is None:
-        return said("no fatigue limit reached") if float(own.life[0]) == inf else Number(nan)
-    return hours_text(hours) if hours > LONGEST_LIFE else Number(hours, ".4r")
+        return said("no fatigue limit reached") if float(own.life[0]) == inf else doc.Number(nan)
+    return hours_text(hours) if hours > LONGEST_LIFE else doc.Number(hours, ".4r")
 
 
 def _verdict(case: CaseReport, theory: str) -> str:
@@ -1229,18 +1203,8 @@ def _verdict(case: CaseReport, theory: str) -> str:
 
 # --- clearance ------------------------------------------------------------------------------------
 
-_DETAILS: Final = {
-    "interference": marked("interference as mounted"),
-    "smoothing": marked("loss by smoothing"),
-    "expansion": marked("gain by expansion"),
-    "rotation": marked("loss by rotation"),
-    "effective_interference": marked("interference in operation"),
-    "pressure": marked("contact pressure"),
-}
-_LIMITS: Final = ("minimum", "mean", "maximum")
 
-
-def _clearance(report: Report) -> list[Table]:
+def _clearance(report: Report) -> list[doc.Table]:
     if len(report.cases) == 1:
         return [_chain(case) for case in report.cases if case.clearance is not None]
     names = [
@@ -1251,11 +1215,10 @@ def _clearance(report: Report) -> list[Table]:
             for case in report.cases
         )
     ]
-    limits = {"minimum": said("minimum"), "mean": said("mean"), "maximum": said("maximum")}
     groups: list[_Group] = [
         (
             said("Diametral clearance in operation"),
-            [_clearance_row(limits[name], name) for name in _LIMITS],
+            [_clearance_row(head, name) for name, head in limit_heads().items()],
         )
     ]
     steps = []
@@ -1265,14 +1228,14 @@ def _clearance(report: Report) -> list[Table]:
         if all(place in (None, at) for place in places):
             steps.append(_step_row(name, at))
     groups.append((said("Mean change of clearance by step"), steps))
-    return list(tables_of(report.cases, groups, "clearance"))
+    return list(q.tables_of(report.cases, groups, "clearance"))
 
 
 def _step_row(name: str, at: int) -> _Quantity:
     def of(case: CaseReport) -> float | None:
         return None if _place_of(case, name) is None else float(case.clearance.steps[at].change[1])
 
-    return Quantity(said(STEPS[name]), of, ".3 µm", f"clearance.steps.{at}.change.1")
+    return q.Quantity(said(STEPS[name]), of, ".3 µm", f"clearance.steps.{at}.change.1")
 
 
 def _place_of(case: CaseReport, step: str) -> int | None:
@@ -1282,42 +1245,43 @@ def _place_of(case: CaseReport, step: str) -> int | None:
     return names.index(step) if step in names else None
 
 
-def _chain(case: CaseReport) -> Table:
+def _chain(case: CaseReport) -> doc.Table:
     """The chain of clearances of one case, with what went into the fits."""
-    lines = list(chain_lines(case.clearance, _DETAILS))
+    lines = list(chain_lines(case.clearance))
     tones = [line.tone for line in lines]
-    heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
-        Column(said("diametral clearance"), [line.label for line in lines], "step", tones=tones),
-        Column(said("unit"), [line.unit for line in lines], "unit", tone="faint"),
+        doc.Column(
+            said("diametral clearance"), [line.label for line in lines], "step", tones=tones
+        ),
+        doc.Column(said("unit"), [line.unit for line in lines], "unit", tone="faint"),
     ]
-    for at, head in enumerate(heads):
-        cells = [Number(line.values[at], f".1f [{line.unit}]") for line in lines]
-        columns.append(Column(head, cells, _LIMITS[at], align="right", tones=tones))
+    for at, (key, head) in enumerate(limit_heads().items()):
+        cells = [doc.Number(line.values[at], f".1f [{line.unit}]") for line in lines]
+        columns.append(doc.Column(head, cells, key, tones=tones))
     columns += [
-        Column(said("source"), [line.source for line in lines], "source", tone="faint"),
-        Column("path", [line.path for line in lines], "path", only_in_files=True),
+        doc.Column(said("source"), [line.source for line in lines], "source", tone="faint"),
+        doc.Column("path", [line.path for line in lines], "path", only_in_files=True),
     ]
-    return Table(tuple(columns), f"clearance_{case.name}", rule=True)
+    return doc.Table(tuple(columns), f"clearance_{case.name}", rule=True)
 
 
 # --- ring, rows, balls ----------------------------------------------------------------------------
 
 
-def _ring(report: Report) -> tuple[Table, ...]:
+def _ring(report: Report) -> tuple[doc.Table, ...]:
     moved = [
-        SOLVED(said(label), f"displacement.{axis}", ".3f µm" if len(axis) == 1 else ".4f mrad")
+        q.SOLVED(said(label), f"displacement.{axis}", ".3f µm" if len(axis) == 1 else ".4f mrad")
         for axis, label in zip(AXES, _MOVED, strict=True)
     ]
     loads = [
-        SOLVED(said(label), f"load.{load}", ".1f N" if load[0] == "f" else ".3f N·m")
+        q.SOLVED(said(label), f"load.{load}", ".1f N" if load[0] == "f" else ".3f N·m")
         for load, label in zip(LOADS, _LOADED, strict=True)
     ]
     groups = [(said("Displacements"), moved), (said("Loads of the shaft"), loads)]
     legend = said(
         "Loads not listed among the inputs are reactions at constrained degrees of freedom."
     )
-    return tables_of(report.cases, groups, "ring", legends=(legend,))
+    return q.tables_of(report.cases, groups, "ring", legends=(legend,))
 
 
 _MOVED: Final = (
@@ -1336,7 +1300,7 @@ _LOADED: Final = (
 )
 
 
-def _rows(report: Report) -> tuple[Table, ...]:
+def _rows(report: Report) -> tuple[doc.Table, ...]:
     """Rows of a set, and what its preload does; nothing of a plain bearing."""
     if not any(case.case.bearing.is_set for case in report.cases):
         return ()
@@ -1347,15 +1311,15 @@ def _rows(report: Report) -> tuple[Table, ...]:
         said("load factor at which the first rolling element loses contact"),
     )
     preload = [
-        PRELOAD(said("axial preload at rest"), "at_rest", ".4 N"),
-        PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
-        PRELOAD(first, "lift_factor", ".3"),
-        PRELOAD(said("load factor at which a row loses contact"), "loss_factor", ".3"),
+        q.PRELOAD(said("axial preload at rest"), "at_rest", ".4 N"),
+        q.PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
+        q.PRELOAD(first, "lift_factor", ".3"),
+        q.PRELOAD(said("load factor at which a row loses contact"), "loss_factor", ".3"),
     ]
     groups: list[_Group] = [(said("Preload"), preload), *_preload_stages(report)]
     most = max(len(case.analysis.solved.rows) for case in report.cases)
     groups += [(said("row {number}", number=row), _row_quantities(row)) for row in range(most)]
-    return tables_of(report.cases, groups, "set")
+    return q.tables_of(report.cases, groups, "set")
 
 
 def _row_quantities(row: int) -> list[_Quantity]:
@@ -1370,35 +1334,35 @@ def _row_quantities(row: int) -> list[_Quantity]:
 
     path = f"rows.{row}"
     return [
-        SOLVED(
+        q.SOLVED(
             said("position"),
             f"{path}.position",
             ".4 mm",
             lambda own: own.rows.position[0, row] if row < len(own.rows) else None,
         ),
-        SOLVED(
+        q.SOLVED(
             said("loaded balls"), f"{path}.loaded_balls", get=lambda own: loaded(own, balls=True)
         ),
-        SOLVED(
+        q.SOLVED(
             said("loaded rollers"),
             f"{path}.loaded_rollers",
             get=lambda own: loaded(own, balls=False),
         ),
-        SOLVED(said("axial load Fx"), f"{path}.load.fx", ".4 N", lambda own: load(own, 0)),
-        SOLVED(said("radial load Fy"), f"{path}.load.fy", ".4 N", lambda own: load(own, 1)),
-        SOLVED(said("radial load Fz"), f"{path}.load.fz", ".4 N", lambda own: load(own, 2)),
+        q.SOLVED(said("axial load Fx"), f"{path}.load.fx", ".4 N", lambda own: load(own, 0)),
+        q.SOLVED(said("radial load Fy"), f"{path}.load.fy", ".4 N", lambda own: load(own, 1)),
+        q.SOLVED(said("radial load Fz"), f"{path}.load.fz", ".4 N", lambda own: load(own, 2)),
     ]
 
 
-def _heat(report: Report) -> list[Block]:
+def _heat(report: Report) -> list[doc.Block]:
     """The heat balance of each case that has a [heat] table."""
     from rolamento.pages.heat import heat_blocks
 
-    found: list[Block] = []
+    found: list[doc.Block] = []
     for case in report.cases:
         if case.heat is not None:
             if len(report.cases) > 1:
-                found.append(Statement(said("case {name}", name=case.name), "strong"))
+                found.append(doc.Statement(said("case {name}", name=case.name), "strong"))
             found += heat_blocks(case.heat)
     return found
 
@@ -1412,7 +1376,7 @@ def _preload_stages(report: Report) -> list[_Group]:
     found = [case.analysis.solved.preload for case in report.cases]
     stages = max((one.stages for one in found if one is not None), key=len, default=())
     rows = [
-        PRELOAD(
+        q.PRELOAD(
             said(STAGE_NAMES[stage.name]),
             f"stages.{place}.preload.1",
             ".4 N",
@@ -1423,38 +1387,38 @@ def _preload_stages(report: Report) -> list[_Group]:
     return [(said("Preload without external load, at mean tolerances"), rows)] if rows else []
 
 
-def _ring_and_rosettes(report: Report) -> list[Section | Beside]:
+def _ring_and_rosettes(report: Report) -> list[doc.Section | doc.Beside]:
     """The ring beside the loads round it; of several cases the rosettes below the ring's table."""
-    ring = Section(said("Displacements and loads of the inner ring"), _ring(report), "ring", 3)
+    ring = doc.Section(said("Displacements and loads of the inner ring"), _ring(report), "ring", 3)
     pictures = tuple(_rosette(report, case) for case in report.cases if case.converged)
     if len(report.cases) == 1:
-        return [Beside((ring,), pictures, key="ring")]
+        return [doc.Beside((ring,), pictures, key="ring")]
     if len(pictures) < 2:
         return [ring, *pictures]
-    return [ring, Beside(pictures[::2], pictures[1::2], key="rosettes")]
+    return [ring, doc.Beside(pictures[::2], pictures[1::2], key="rosettes")]
 
 
-def _rosette(report: Report, case: CaseReport) -> Section:
+def _rosette(report: Report, case: CaseReport) -> doc.Section:
     found = rosette_section(case.analysis.solved)
     figure = found.blocks[0]
-    assert isinstance(figure, Figure)
+    assert isinstance(figure, doc.Figure)
     heading = _of_case(report, case, found.heading)
-    return Section(
+    return doc.Section(
         heading, (replace(figure, key=f"rosette_{case.name}"),), f"rosette_{case.name}", 3
     )
 
 
-def _distribution(report: Report, case: CaseReport) -> Section:
+def _distribution(report: Report, case: CaseReport) -> doc.Section:
     """The loads of the elements, a line each."""
     heading = _of_case(report, case, said("Load distribution"))
     tables = tuple(
         replace(table, key=f"{name}_{case.name}")
         for name, table in element_tables(case.analysis.solved).items()
     )
-    return Section(heading, tables, f"distribution_{case.name}", 3)
+    return doc.Section(heading, tables, f"distribution_{case.name}", 3)
 
 
-def _pictures(report: Report, case: CaseReport) -> list[Section]:
+def _pictures(report: Report, case: CaseReport) -> list[doc.Section]:
     """What rollers bear along their length, and how the most loaded one lies."""
     sections = []
     for found in roller_pictures(case.analysis.solved):
@@ -1462,9 +1426,9 @@ def _pictures(report: Report, case: CaseReport) -> list[Section]:
         figures = (
             replace(figure, key=f"{figure.key}_{case.name}")
             for figure in found.blocks
-            if isinstance(figure, Figure)
+            if isinstance(figure, doc.Figure)
         )
-        sections.append(Section(heading, tuple(figures), f"{found.key}_{case.name}", 3))
+        sections.append(doc.Section(heading, tuple(figures), f"{found.key}_{case.name}", 3))
     return sections
 
 
@@ -1472,7 +1436,7 @@ def _inner_load(own: Solved, element: int) -> float | None:
     return float(own.inner.load[0, element]) if own.converged[0] else None
 
 
-def _ball_loads(report: Report) -> tuple[Table, ...]:
+def _ball_loads(report: Report) -> tuple[doc.Table, ...]:
     """The inner loads element by element, where cases that converged have as many of one kind."""
     solved = [case for case in report.cases if case.converged]
     counts = {len(case.analysis.solved.elements.row) for case in solved}
@@ -1481,7 +1445,7 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
         return ()
     balls = kinds == {"ball"}
     rows = [
-        SOLVED(
+        q.SOLVED(
             said("ball {number}", number=one) if balls else said("roller {number}", number=one),
             f"{'balls' if balls else 'rollers'}.{one}.inner.load",
             ".4 N",
@@ -1489,7 +1453,7 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
         )
         for one in range(counts.pop())
     ]
-    return tables_of(
+    return q.tables_of(
         report.cases, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),)
     )
 
@@ -1510,14 +1474,6 @@ _OF_CONTACTS: Final = (
     ("load", marked("maximum contact load"), ".5 N"),
     ("spin_to_roll", marked("maximum spin-to-roll ratio"), ".4f"),
 )
-_OF_FILMS: Final = (
-    ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
-    ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
-    ("film_parameter", marked("film parameter λ"), ".3"),
-    ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
-    ("thermal_factor", marked("thermal factor"), ".3 %"),
-    ("starvation_factor", marked("starvation factor"), ".3 %"),
-)
 """Columns of the contacts of a race: name in the extremes, label, form."""
 
 
@@ -1535,7 +1491,7 @@ _OF_BOTH: Final = {
 }
 
 
-def _contacts(report: Report) -> tuple[Table, ...]:
+def _contacts(report: Report) -> tuple[doc.Table, ...]:
     heads: dict[Race, str] = {"inner": said("Inner race"), "outer": said("Outer race")}
     kinds = set(_elements(report))
     named = {} if kinds == {"ball"} else _OF_BOTH if "ball" in kinds else _OF_LINES
@@ -1543,39 +1499,39 @@ def _contacts(report: Report) -> tuple[Table, ...]:
     return (*_by_race(report, rows, heads, "contacts"), *_roller_table(report))
 
 
-def _roller_table(report: Report) -> tuple[Table, ...]:
+def _roller_table(report: Report) -> tuple[doc.Table, ...]:
     """Tilt and rib forces of rollers; nothing of balls."""
     rows = [
-        extreme(said("maximum tilt of a roller"), "roller_tilt", ".3 mrad"),
-        extreme(said("maximum force of a rib on a roller"), "rib_force", ".4 N"),
+        q.extreme(said("maximum tilt of a roller"), "roller_tilt", ".3 mrad"),
+        q.extreme(said("maximum force of a rib on a roller"), "rib_force", ".4 N"),
     ]
-    return tables_of(report.cases, [("", rows)], "roller_extremes")
+    return q.tables_of(report.cases, [("", rows)], "roller_extremes")
 
 
 def _by_race(
     report: Report, rows: Sequence[tuple[str, str, str]], heads: Mapping[Race, str], key: str
-) -> tuple[Table, ...]:
+) -> tuple[doc.Table, ...]:
     """Numbers of both races: of one case beside each other, of several below each other."""
     if len(report.cases) > 1:
         groups = [
-            (head, [extreme(said(label), f"{race}_{name}", form) for name, label, form in rows])
+            (head, [q.extreme(said(label), f"{race}_{name}", form) for name, label, form in rows])
             for race, head in heads.items()
         ]
-        return tables_of(report.cases, groups, key)
+        return q.tables_of(report.cases, groups, key)
     case = report.cases[0]
-    found: list[Quantity[Race]] = [
-        Quantity(said(label), _at_race(case, name), form, f"extremes.*_{name}")
+    found: list[q.Quantity[Race]] = [
+        q.Quantity(said(label), _at_race(case, name), form, f"extremes.*_{name}")
         for name, label, form in rows
     ]
     found = [row for row in found if row.known(heads)]
-    label, unit, *values = beside(found, [(race, head, race) for race, head in heads.items()])
+    label, unit, *values = q.beside(found, [(race, head, race) for race, head in heads.items()])
     columns = (
         replace(label, head=said("quantity")),
         replace(unit, tone="faint"),
         *values,
-        Column("path", [row.path for row in found], "path", only_in_files=True),
+        doc.Column("path", [row.path for row in found], "path", only_in_files=True),
     )
-    return (Table(columns, key, rule=True),)
+    return (doc.Table(columns, key, rule=True),)
 
 
 def _at_race(case: CaseReport, name: str) -> Callable[[Race], float | None]:
@@ -1585,14 +1541,14 @@ def _at_race(case: CaseReport, name: str) -> Callable[[Race], float | None]:
 # --- film, friction, frequencies, stiffness -------------------------------------------------------
 
 
-def _film(report: Report) -> tuple[Table, ...]:
+def _film(report: Report) -> tuple[doc.Table, ...]:
     oil: list[_Quantity] = [
-        Quantity(said("lubricant"), _lubricant),
-        FILM(said("lubricant temperature"), "temperature", ".5 °C"),
-        FILM(said("kinematic viscosity ν"), "kinematic_viscosity", ".4 mm²/s"),
-        FILM(said("dynamic viscosity η"), "dynamic_viscosity", ".4 mPa·s"),
-        FILM(said("pressure-viscosity coefficient α_p"), "pressure_viscosity", ".4 1/GPa"),
-        FILM(said("required viscosity ν_1"), "reference_viscosity", ".4 mm²/s"),
+        q.Quantity(said("lubricant"), _lubricant),
+        q.FILM(said("lubricant temperature"), "temperature", ".5 °C"),
+        q.FILM(said("kinematic viscosity ν"), "kinematic_viscosity", ".4 mm²/s"),
+        q.FILM(said("dynamic viscosity η"), "dynamic_viscosity", ".4 mPa·s"),
+        q.FILM(said("pressure-viscosity coefficient α_p"), "pressure_viscosity", ".4 1/GPa"),
+        q.FILM(said("required viscosity ν_1"), "reference_viscosity", ".4 mm²/s"),
         _viscosity_ratio(),
     ]
     if not any(case.analysis.film is not None for case in report.cases):
@@ -1601,8 +1557,8 @@ def _film(report: Report) -> tuple[Table, ...]:
         "inner": said("Thinnest film, inner race"),
         "outer": said("Thinnest film, outer race"),
     }
-    tables = tables_of(report.cases, [(said("Lubricant"), oil)], "oil")
-    return (*tables, *_by_race(report, _OF_FILMS, heads, "film"))
+    tables = q.tables_of(report.cases, [(said("Lubricant"), oil)], "oil")
+    return (*tables, *_by_race(report, FILMS, heads, "film"))
 
 
 def _lubricant(case: CaseReport) -> str:
@@ -1610,57 +1566,50 @@ def _lubricant(case: CaseReport) -> str:
     return "" if lubricant is None else lubricant.name
 
 
-_LOSSES: Final = {
-    "spin": marked("spin"),
-    "rolling_slip": marked("differential slip"),
-    "hysteresis": marked("elastic hysteresis"),
-    "rolling_resistance": marked("hydrodynamic rolling resistance"),
-    "rib": marked("sliding on the rib"),
-}
-
-
-def _friction(report: Report) -> tuple[Table, ...]:
+def _friction(report: Report) -> tuple[doc.Table, ...]:
     torque, power = _torque_form(report), _power_form(report)
     whole = [
-        FRICTION(said("coefficient of friction μ"), "friction_coefficient"),
-        FRICTION(
+        q.FRICTION(said("coefficient of friction μ"), "friction_coefficient"),
+        q.FRICTION(
             said("coefficient of friction μ, from"),
             "coefficient_range.0",
             get=lambda own: own.coefficient_range[0, 0],
         ),
-        FRICTION(
+        q.FRICTION(
             said("coefficient of friction μ, to"),
             "coefficient_range.1",
             get=lambda own: own.coefficient_range[0, 1],
         ),
-        Quantity(said("model of the contacts"), _torque_model),
+        q.Quantity(said("model of the contacts"), _torque_model),
         _torque(report, said("running torque"), said("running torque, at most"), torque),
-        FRICTION(said("starting torque"), "starting_torque", torque),
+        q.FRICTION(said("starting torque"), "starting_torque", torque),
         _power(report, power),
     ]
     torques = [
-        FRICTION(said(label), f"torque_by_source.{name}", torque, partial(_of_source, name=name))
-        for name, label in _LOSSES.items()
+        q.FRICTION(
+            source_name(one), f"torque_by_source.{one}", torque, partial(_of_source, name=one)
+        )
+        for one in SOURCES
     ]
-    heats = [extreme(said(label), f"heat_{name}", power) for name, label in _LOSSES.items()]
+    heats = [q.extreme(source_name(one), f"heat_{one}", power) for one in SOURCES]
     found = [case.analysis.friction for case in report.cases if case.analysis.friction is not None]
     models = [
-        FRICTION(
+        q.FRICTION(
             torque_model_name(name), f"models.{name}.torque", torque, partial(_of_model, name=name)
         )
         for name in dict.fromkeys(name for one in found for name in one.models)
     ]
     rolling = [
-        ROLLING(said("cage speed"), "cage_speed", ".5 rpm"),
-        ROLLING(said("cage slip relative to outer raceway control"), "skid", ".3 %"),
-        ROLLING(said("torque on the shaft"), "inner_torque", torque),
-        ROLLING(said("torque on the housing"), "outer_torque", torque),
-        ROLLING(said("power lost in the contacts"), "power", power),
+        q.ROLLING(said("cage speed"), "cage_speed", ".5 rpm"),
+        q.ROLLING(said("cage slip relative to outer raceway control"), "skid", ".3 %"),
+        q.ROLLING(said("torque on the shaft"), "inner_torque", torque),
+        q.ROLLING(said("torque on the housing"), "outer_torque", torque),
+        q.ROLLING(said("power lost in the contacts"), "power", power),
     ]
     added = [
-        SEALS_AND_BATH(said("torque of the seals"), "seal", torque),
-        SEALS_AND_BATH(said("torque of the oil bath"), "drag", torque),
-        SEALS_AND_BATH(said("power of seals and oil bath"), "power", power),
+        q.SEALS_AND_BATH(said("torque of the seals"), "seal", torque),
+        q.SEALS_AND_BATH(said("torque of the oil bath"), "drag", torque),
+        q.SEALS_AND_BATH(said("power of seals and oil bath"), "power", power),
     ]
     groups = [
         (said("Friction of the contacts"), whole),
@@ -1671,7 +1620,7 @@ def _friction(report: Report) -> tuple[Table, ...]:
         (said("Motion under friction control"), rolling),
     ]
     legend = said("Losses of seals, cage and oil churning are not included.")
-    return tables_of(report.cases, groups, "friction", legends=(legend,))
+    return q.tables_of(report.cases, groups, "friction", legends=(legend,))
 
 
 def _of_source(own: Friction, name: str) -> FloatArray | None:
@@ -1701,12 +1650,12 @@ def _bounded(report: Report, usual: str, bounded: str) -> str:
 
 def _torque_form(report: Report) -> str:
     """The form of torques of all cases, those of friction control too."""
-    found = (FRICTION("", "torque"), ROLLING("", "inner_torque"))
+    found = (q.FRICTION("", "torque"), q.ROLLING("", "inner_torque"))
     return f".4 {torque_unit(_numbers(report, found))}"
 
 
 def _power_form(report: Report) -> str:
-    found = (FRICTION("", "power"), ROLLING("", "power"))
+    found = (q.FRICTION("", "power"), q.ROLLING("", "power"))
     return f".4 {power_unit(_numbers(report, found))}"
 
 
@@ -1715,48 +1664,29 @@ def _numbers(report: Report, quantities: Sequence[_Quantity]) -> list[float]:
     return [number for number in found if number is not None]
 
 
-_LINES: Final[dict[LineName, str]] = {
-    "cage": marked("cage"),
-    "ball_pass_outer": marked("outer race (ball pass)"),
-    "ball_pass_inner": marked("inner race (ball pass)"),
-    "ball_spin": marked("ball spin"),
-    "ball_spin_twice": marked("ball damage (twice the spin)"),
-}
-_LINES_OF_ROLLERS: Final[dict[LineName, str]] = {
-    "cage": marked("cage"),
-    "ball_pass_outer": marked("outer race (roller pass)"),
-    "ball_pass_inner": marked("inner race (roller pass)"),
-    "ball_spin": marked("roller spin"),
-    "ball_spin_twice": marked("roller damage (twice the spin)"),
-}
-
-
 def _line_names(cases: Sequence[CaseReport]) -> dict[LineName, str]:
     """What the lines are called in some cases, whose frequencies are of balls or of rollers."""
     found = [case.analysis.frequencies for case in cases]
     elements = [one.element for one in found if one is not None]
-    return {
-        name: worded(elements or ("ball",), said(label), said(_LINES_OF_ROLLERS[name]), said(label))
-        for name, label in _LINES.items()
-    }
+    return {name: line_name(name, *(elements or ("ball",))) for name in ABBREVIATIONS}
 
 
-def _frequencies(report: Report) -> tuple[Table, ...]:
+def _frequencies(report: Report) -> tuple[doc.Table, ...]:
     if len(report.cases) == 1:
         return _frequency_table(report.cases[0])
-    shaft = FREQUENCIES(said("shaft frequency"), "shaft_frequency", ".5 Hz")
+    shaft = q.FREQUENCIES(said("shaft frequency"), "shaft_frequency", ".5 Hz")
     labels = _line_names(report.cases)
-    hertz = [FREQUENCIES(label, f"{name}.frequency", ".5 Hz") for name, label in labels.items()]
-    orders = [FREQUENCIES(label, f"{name}.order", ".5") for name, label in labels.items()]
+    hertz = [q.FREQUENCIES(label, f"{name}.frequency", ".5 Hz") for name, label in labels.items()]
+    orders = [q.FREQUENCIES(label, f"{name}.order", ".5") for name, label in labels.items()]
     groups: list[_Group] = [
         (said("Shaft"), [shaft]),
         (said("Frequencies"), hertz),
         (said("Orders of the shaft"), orders),
     ]
-    return tables_of(report.cases, groups, "frequencies")
+    return q.tables_of(report.cases, groups, "frequencies")
 
 
-def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
+def _frequency_table(case: CaseReport) -> tuple[doc.Table, ...]:
     """Frequencies of one case with their orders."""
     found = case.analysis.frequencies
     if found is None:
@@ -1764,39 +1694,38 @@ def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
     labels = _line_names([case])
     lines = [found.lines[name] for name in labels]
     columns = (
-        Column("", list(labels.values()), "line"),
-        Column("", [ABBREVIATIONS[name] for name in labels], "abbreviation"),
-        Column(
+        doc.Column("", list(labels.values()), "line"),
+        doc.Column("", [ABBREVIATIONS[name] for name in labels], "abbreviation"),
+        doc.Column(
             said("frequency"),
-            [Number(own.frequency, ".5 [Hz]") for own in lines],
+            [doc.Number(own.frequency, ".5 [Hz]") for own in lines],
             "frequency",
             "Hz",
-            align="right",
         ),
-        Column(said("order"), [Number(own.order, ".5") for own in lines], "order", align="right"),
-        Column(
-            "path", [f"{FREQUENCIES.path}.{name}" for name in labels], "path", only_in_files=True
+        doc.Column(said("order"), [doc.Number(own.order, ".5") for own in lines], "order"),
+        doc.Column(
+            "path", [f"{q.FREQUENCIES.path}.{name}" for name in labels], "path", only_in_files=True
         ),
     )
     legend = said(
         "Orders are multiples of the shaft frequency, {frequency:.5 Hz}.",
         frequency=found.shaft_frequency,
     )
-    return (Table(columns, f"frequencies_{case.name}", legends=(legend,), rule=True),)
+    return (doc.Table(columns, f"frequencies_{case.name}", legends=(legend,), rule=True),)
 
 
-def _stiffness(report: Report) -> list[Table]:
-    tables: list[Table] = []
+def _stiffness(report: Report) -> list[doc.Table]:
+    tables: list[doc.Table] = []
     if len(report.cases) > 1:
         names = ("xx", "yy", "zz", "ryry", "rzrz")
         rows = [
             _stiffness_row(said("stiffness {axes}", axes=name), at) for at, name in enumerate(names)
         ]
-        tables += tables_of(report.cases, [("", rows)], "diagonal", caption=said("Diagonal"))
+        tables += q.tables_of(report.cases, [("", rows)], "diagonal", caption=said("Diagonal"))
     for case in report.cases:
         if case.converged:
             found = stiffness_section(case.analysis.solved).blocks[0]
-            assert isinstance(found, Table)
+            assert isinstance(found, doc.Table)
             caption = (
                 said("Stiffness matrix, case {name}", name=case.name)
                 if len(report.cases) > 1
@@ -1806,7 +1735,7 @@ def _stiffness(report: Report) -> list[Table]:
     return tables
 
 
-def _distributions(report: Report) -> list[Block]:
+def _distributions(report: Report) -> list[doc.Block]:
     """The loads of the elements of every case."""
     return [
         block
@@ -1815,7 +1744,7 @@ def _distributions(report: Report) -> list[Block]:
     ]
 
 
-def _blocks(sections: Iterable[Section]) -> list[Block]:
+def _blocks(sections: Iterable[doc.Section]) -> list[doc.Block]:
     """What stands in sections, without their headings."""
     return [block for section in sections for block in section.blocks]
 
@@ -1833,7 +1762,7 @@ class Part:
     """
 
     label: str
-    blocks: Callable[[Report], Sequence[Block]]
+    blocks: Callable[[Report], Sequence[doc.Block]]
 
 
 PARTS: Final[Mapping[str, Part]] = {
@@ -1877,7 +1806,7 @@ _CHECKS: Final[Mapping[str, tuple[str, str]]] = {
 """Labels of the checks of a case: label, and form of the numbers."""
 
 
-def _validity(report: Report) -> list[Section]:
+def _validity(report: Report) -> list[doc.Section]:
     many = len(report.cases) > 1
     sections = []
     for case in report.cases:
@@ -1888,53 +1817,53 @@ def _validity(report: Report) -> list[Section]:
             if many
             else said("Limits of the models")
         )
-        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", 3))
+        sections.append(doc.Section(heading, (_check_table(case),), f"limits_{case.name}", 3))
     life = _life_validity(report)
     if life:
-        sections.append(Section(said("Theories of life"), life, "life_validity", 3))
+        sections.append(doc.Section(said("Theories of life"), life, "life_validity", 3))
     friction = _friction_validity(report)
     if friction:
-        sections.append(Section(said("Models of friction"), friction, "friction_validity", 3))
+        sections.append(doc.Section(said("Models of friction"), friction, "friction_validity", 3))
     return sections
 
 
-def _check_table(case: CaseReport) -> Table:
+def _check_table(case: CaseReport) -> doc.Table:
     checks = [check for check in case.checks if check.name in _CHECKS]
     forms = [_CHECKS[check.name][1] for check in checks]
     units = [form.partition("[")[2].rstrip("]") for form in forms]
 
-    def column(name: str, head: str) -> Column:
-        values: list[CellContent] = []
+    def column(name: str, head: str) -> doc.Column:
+        values: list[doc.CellContent] = []
         for check, form in zip(checks, forms, strict=True):
             value = getattr(check, name)
             own = None if value is None or (name == "least" and check.low is None) else value
-            values.append(None if own is None else Number(float(own), form))
-        return Column(head, values, name, align="right")
+            values.append(None if own is None else doc.Number(float(own), form))
+        return doc.Column(head, values, name, align="right")
 
     columns = (
-        Column(said("limit"), [said(_CHECKS[check.name][0]) for check in checks], "limit"),
-        Column(said("unit"), units, "unit", tone="faint"),
+        doc.Column(said("limit"), [said(_CHECKS[check.name][0]) for check in checks], "limit"),
+        doc.Column(said("unit"), units, "unit", tone="faint"),
         column("low", said("lower limit")),
         column("high", said("upper limit")),
         column("least", said("minimum here")),
         column("greatest", said("maximum here")),
-        Column(
+        doc.Column(
             said("within limits"),
             [said("yes") if check.met else said("no") for check in checks],
             "met",
             tones=["good" if check.met else "warning" for check in checks],
         ),
-        Column(
+        doc.Column(
             "path",
             [f"checks.{case.checks.index(check)}" for check in checks],
             "path",
             only_in_files=True,
         ),
     )
-    return Table(columns, f"limits_{case.name}", rule=True)
+    return doc.Table(columns, f"limits_{case.name}", rule=True)
 
 
-def _life_validity(report: Report) -> tuple[Table, ...]:
+def _life_validity(report: Report) -> tuple[doc.Table, ...]:
     """Which theory is valid for which case, and what refuses or bounds it."""
     rows, verdicts = [], []
     for name in THEORIES:
@@ -1945,7 +1874,7 @@ def _life_validity(report: Report) -> tuple[Table, ...]:
     return _verdict_table(report, said("theory"), rows, verdicts, "life_validity")
 
 
-def _reasoned(case: CaseReport, theory: str) -> tuple[str, Tone]:
+def _reasoned(case: CaseReport, theory: str) -> tuple[str, doc.Tone]:
     life = case.analysis.life
     if life is None or theory not in life.theories:
         return "", ""
@@ -1959,7 +1888,7 @@ def _with_reasons(verdict: str, why: Sequence[str]) -> str:
     return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
 
 
-def _friction_validity(report: Report) -> tuple[Table, ...]:
+def _friction_validity(report: Report) -> tuple[doc.Table, ...]:
     names = dict.fromkeys(
         found.model
         for case in report.cases
@@ -1971,7 +1900,7 @@ def _friction_validity(report: Report) -> tuple[Table, ...]:
     return _verdict_table(report, said("model"), labels, verdicts, "friction_validity")
 
 
-def _friction_verdict(case: CaseReport, model: str) -> tuple[str, Tone]:
+def _friction_verdict(case: CaseReport, model: str) -> tuple[str, doc.Tone]:
     friction = case.analysis.friction
     found = None if friction is None else next(
         (own for own in friction.validity if own.model == model), None
@@ -1988,35 +1917,35 @@ def _verdict_table(
     report: Report,
     head: str,
     rows: Sequence[str],
-    verdicts: Sequence[Sequence[tuple[str, Tone]]],
+    verdicts: Sequence[Sequence[tuple[str, doc.Tone]]],
     key: str,
-) -> tuple[Table, ...]:
+) -> tuple[doc.Table, ...]:
     if not rows:
         return ()
     many = len(report.cases) > 1
-    columns = [Column(head, list(rows), head)]
+    columns = [doc.Column(head, list(rows), head)]
     for index, case in enumerate(report.cases):
         texts, tones = zip(*(own[index] for own in verdicts), strict=True)
         columns.append(
-            Column(
+            doc.Column(
                 said("case {name}", name=case.name) if many else said("valid here"),
                 texts,
                 case.name,
                 tones=tones,
             )
         )
-    return (Table(tuple(columns), key, rule=True),)
+    return (doc.Table(tuple(columns), key, rule=True),)
 
 
-def _references(cases: Iterable[CaseReport]) -> tuple[Statement, ...]:
+def _references(cases: Iterable[CaseReport]) -> tuple[doc.Statement, ...]:
     return tuple(
-        Statement(text, mark=f"[{number}]")
+        doc.Statement(text, mark=f"[{number}]")
         for number, text in enumerate(references_of(cases), start=1)
     )
 
 
-def _provenance(report: Report) -> tuple[KeyValues | Statement, ...]:
-    entries = [Entry(said("program"), said("Rolamento {version}", version=report.version))]
+def _provenance(report: Report) -> tuple[doc.KeyValues | doc.Statement, ...]:
+    entries = [doc.Entry(said("program"), said("Rolamento {version}", version=report.version))]
     many = len(report.cases) > 1
     for case in report.cases:
         if many:
@@ -2025,10 +1954,10 @@ def _provenance(report: Report) -> tuple[KeyValues | Statement, ...]:
         else:
             label, source = said("SHA-256 of the inputs"), said("source")
         if case.source:
-            entries.append(Entry(source, case.source))
-        entries.append(Entry(label, case.checksum))
+            entries.append(doc.Entry(source, case.source))
+        entries.append(doc.Entry(label, case.checksum))
     explained = said(
         "The checksum covers all inputs in SI units, defaults included; titles and the title block "
         "are excluded. Equal checksums mean equal inputs."
     )
-    return KeyValues(tuple(entries)), Statement(explained, "faint")
+    return doc.KeyValues(tuple(entries)), doc.Statement(explained, "faint")

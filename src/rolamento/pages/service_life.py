@@ -6,19 +6,8 @@ from collections.abc import Iterator
 from math import isfinite, isinf
 from typing import TYPE_CHECKING
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Figure,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Tone,
-)
 from rolamento.pages.given import case_page, head
 from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
@@ -35,7 +24,7 @@ __all__ = ["endings_section", "service_life_page", "service_life_statement", "ti
 _HOURS = ".2r [h]"
 
 
-def service_life_page(found: ServiceLife) -> Document:
+def service_life_page(found: ServiceLife) -> doc.Document:
     """Return what ends a case first, all endings side by side, and their time line.
 
     Parameters
@@ -46,41 +35,43 @@ def service_life_page(found: ServiceLife) -> Document:
     solved = found.solved
     notes = (*found.notes, *solved.notes[0])
     blocks = (*service_life_statement(found), *cautions(notes))
-    sections = [Section(said("What ends it first"), blocks, "first")]
+    sections = [doc.Section(said("What ends it first"), blocks, "first")]
     if found.endings:
-        sections += [endings_section(found), Section("", (time_line(found),), "figure")]
+        sections += [endings_section(found), doc.Section("", (time_line(found),), "figure")]
     remarks = remarks_of(notes)
     return case_page(
         solved.case, head(solved), sections, "service_life", "endings", remarks=remarks
     )
 
 
-def time_line(found: ServiceLife) -> Figure:
+def time_line(found: ServiceLife) -> doc.Figure:
     """Return the picture of all endings on one time line."""
-    return Figure(
+    return doc.Figure(
         said("What ends it, on one time line"),
         lambda: plots.service_life_figure(found),
         "service_life",
     )
 
 
-def service_life_statement(found: ServiceLife) -> Iterator[Block]:
+def service_life_statement(found: ServiceLife) -> Iterator[doc.Block]:
     """Yield what ends it first and when, what may come before it, and what is not known."""
     first = found.first
     if not found.converged:
-        yield Statement(said("There is no result, and nothing to say of its end."), "bad-strong")
+        yield doc.Statement(
+            said("There is no result, and nothing to say of its end."), "bad-strong"
+        )
         return
     if first is None:
-        yield Statement(said("Nothing says when this bearing ends."), "warning", indent=2)
+        yield doc.Statement(said("Nothing says when this bearing ends."), "warning", indent=2)
     else:
-        yield Statement(_first(first), "strong", indent=2)
+        yield doc.Statement(_first(first), "strong", indent=2)
     if first is not None and found.rivals:
         names = listed([said(ENDING_NAMES[one.name]) for one in found.rivals])
         text = said("Within the spread another may come before it: {names}.", names=names)
-        yield Statement(text, indent=2)
+        yield doc.Statement(text, indent=2)
     if found.unknown:
         names = listed([said(ENDING_NAMES[one.name]) for one in found.unknown])
-        yield Statement(said("Not known: {names}.", names=names), "warning", indent=2)
+        yield doc.Statement(said("Not known: {names}.", names=names), "warning", indent=2)
     for one in found.endings:
         if one.kind == "upkeep" and one.known:
             text = said(
@@ -90,7 +81,7 @@ def service_life_statement(found: ServiceLife) -> Iterator[Block]:
                 low=HOUR * one.low,
                 high=HOUR * one.high,
             )
-            yield Statement(text, indent=2)
+            yield doc.Statement(text, indent=2)
     yield from _required(found)
 
 
@@ -113,37 +104,37 @@ def _first(first: Ending) -> str:
     )
 
 
-def _required(found: ServiceLife) -> Iterator[Block]:
+def _required(found: ServiceLife) -> Iterator[doc.Block]:
     if found.required is None:
         return
     required = HOUR * found.required
     reaches = found.reaches_required
     if reaches is None:
         text = said("Whether it reaches the required {required:.4 h} is open.", required=required)
-        yield Statement(text, "warning", indent=2)
+        yield doc.Statement(text, "warning", indent=2)
     elif reaches:
         text = said("It reaches the required {required:.4 h}.", required=required)
-        yield Statement(text, "good", indent=2)
+        yield doc.Statement(text, "good", indent=2)
     else:
         text = said("It does not reach the required {required:.4 h}.", required=required)
-        yield Statement(text, "bad-strong", indent=2)
+        yield doc.Statement(text, "bad-strong", indent=2)
 
 
-def endings_section(found: ServiceLife) -> Section:
+def endings_section(found: ServiceLife) -> doc.Section:
     """Return all endings side by side: when, from when to when, and what the hours are."""
     ordered = found.endings
-    tones: list[Tone] = ["strong" if one is found.first else "" for one in ordered]
+    tones: list[doc.Tone] = ["strong" if one is found.first else "" for one in ordered]
     columns = [
-        Column(
+        doc.Column(
             "", ["▸" if one is found.first else "" for one in ordered], "first", tone="good-strong"
         ),
-        Column("", [said(ENDING_NAMES[one.name]) for one in ordered], "ending", tones=tones),
+        doc.Column("", [said(ENDING_NAMES[one.name]) for one in ordered], "ending", tones=tones),
     ]
     for key, text in (("hours", said("10 %")), ("low", said("from")), ("high", said("to"))):
-        values: list[CellContent] = [_hours(getattr(one, key)) for one in ordered]
-        columns.append(Column(text, values, key, "h", align="right", tones=tones))
+        values: list[doc.CellContent] = [_hours(getattr(one, key)) for one in ordered]
+        columns.append(doc.Column(text, values, key, "h", align="right", tones=tones))
     columns.append(
-        Column(
+        doc.Column(
             "",
             [said(BASES[one.basis]) if one.basis else "" for one in ordered],
             "basis",
@@ -153,9 +144,9 @@ def endings_section(found: ServiceLife) -> Section:
     legend = said(
         "10 % of such bearings have ended by then; from 1 % to half of them, by all laws together"
     )
-    table = Table(tuple(columns), "endings", legends=(legend,), rule=True, fixed=2)
-    return Section(said("All endings"), (table,), "endings")
+    table = doc.Table(tuple(columns), "endings", legends=(legend,), rule=True, fixed=2)
+    return doc.Section(said("All endings"), (table,), "endings")
 
 
-def _hours(value: float) -> Number:
-    return Number(HOUR * value if isfinite(value) else value, _HOURS)
+def _hours(value: float) -> doc.Number:
+    return doc.Number(HOUR * value if isfinite(value) else value, _HOURS)

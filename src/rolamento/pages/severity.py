@@ -6,21 +6,8 @@ from collections.abc import Iterator
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.limit import limit_section, limit_statement
 from rolamento.pages.notes import about
 from rolamento.units import HOUR
@@ -35,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["severity_page", "severity_statement", "trend_picture", "zones_picture"]
 
-_TONES: Final[dict[str, Tone]] = {
+_TONES: Final[dict[str, doc.Tone]] = {
     "A": "good-strong",
     "B": "good-strong",
     "C": "warning-strong",
@@ -49,7 +36,7 @@ _QUANTITIES: Final = {
 }
 
 
-def severity_page(found: SeverityResult) -> Document:
+def severity_page(found: SeverityResult) -> doc.Document:
     """Return the page of the severity of one signal or of several.
 
     Parameters
@@ -62,8 +49,8 @@ def severity_page(found: SeverityResult) -> Document:
         title = said("Severity of vibration: {name}", name=one_line(found.measured[0].title))
     leading, notes = about([(one.title, one.notes) for one in found.measured], found.notes)
     sections = [
-        Section("", (*_statements(found), *_growth(found), *leading), "verdict"),
-        Section("", (Title(title), KeyValues(_facts(found))), "given"),
+        doc.Section("", (*_statements(found), *_growth(found), *leading), "verdict"),
+        doc.Section("", (doc.Title(title), doc.KeyValues(_facts(found))), "given"),
         _signals(found),
         _classes(found),
     ]
@@ -71,8 +58,8 @@ def severity_page(found: SeverityResult) -> Document:
         time = (found.time_unit, found.start)
         growth = _growth(found)
         sections.append(limit_section([("", found.forecast)], "mm/s", *time, leading=growth))
-    sections += [*notes, Section("", (_figure(found),), "figures")]
-    return Document(title, tuple(sections), kind="severity", main="signals")
+    sections += [*notes, doc.Section("", (_figure(found),), "figures")]
+    return doc.Document(title, tuple(sections), kind="severity", main="signals")
 
 
 def severity_statement(found: SeverityResult) -> str:
@@ -114,10 +101,10 @@ def severity_statement(found: SeverityResult) -> str:
     )
 
 
-def _statements(found: SeverityResult) -> tuple[Block, ...]:
-    tone: Tone = "faint" if found.worst is None else "warning-strong"
-    blocks: list[Block] = [
-        Statement(severity_statement(found), _TONES[found.zone] if found.zone else tone)
+def _statements(found: SeverityResult) -> tuple[doc.Block, ...]:
+    tone: doc.Tone = "faint" if found.worst is None else "warning-strong"
+    blocks: list[doc.Block] = [
+        doc.Statement(severity_statement(found), _TONES[found.zone] if found.zone else tone)
     ]
     worst, machine = found.worst, found.machine
     if worst is not None and machine is not None:
@@ -131,27 +118,29 @@ def _statements(found: SeverityResult) -> tuple[Block, ...]:
                 upper=worst.severity.upper,
                 confidence=worst.severity.confidence,
             )
-            blocks.append(Statement(text, "faint"))
+            blocks.append(doc.Statement(text, "faint"))
     return tuple(blocks)
 
 
-def _growth(found: SeverityResult) -> tuple[Statement, ...]:
+def _growth(found: SeverityResult) -> tuple[doc.Statement, ...]:
     """What qualifies the zone of the last reading: that the limit is reached, and when."""
     if found.forecast is None or found.forecast.crossing.code not in ("reached", "exceeded"):
         return ()
     return (limit_statement(found.forecast, "", "mm/s", found.time_unit, found.start),)
 
 
-def _facts(found: SeverityResult) -> tuple[Entry, ...]:
+def _facts(found: SeverityResult) -> tuple[doc.Entry, ...]:
     one = found.measured[0].severity
     speed = said("{speed:.6 rpm}", speed=one.speed) if isfinite(one.speed) else said("not given")
     entries = [
-        Entry(said("speed"), speed),
-        Entry(said("band"), said("{low:.4} to {high:.6 Hz}", low=one.band[0], high=one.band[1])),
+        doc.Entry(said("speed"), speed),
+        doc.Entry(
+            said("band"), said("{low:.4} to {high:.6 Hz}", low=one.band[0], high=one.band[1])
+        ),
     ]
     if len(found.measured) == 1:
         entries.append(
-            Entry(
+            doc.Entry(
                 said("signal"),
                 said(
                     "{quantity}, {duration:.4 s} at {rate:.6 Hz}",
@@ -176,23 +165,23 @@ def _facts(found: SeverityResult) -> tuple[Entry, ...]:
                 alarm=setting.alarm,
             )
         )
-        entries.append(Entry(said("alarm"), text))
+        entries.append(doc.Entry(said("alarm"), text))
         text = said("at most {trip:.3 mm/s}: 1.25 times the boundary C/D", trip=setting.trip)
-        entries.append(Entry(said("trip"), text))
+        entries.append(doc.Entry(said("trip"), text))
     return tuple(entries)
 
 
-def _signals(found: SeverityResult) -> Section:
+def _signals(found: SeverityResult) -> doc.Section:
     signals = [one.severity for one in found.measured]
     columns = [
-        Column(
+        doc.Column(
             said("signal"), [one_line(one.title, _LONGEST_NAME) for one in found.measured], "signal"
         ),
         *_time_columns(found),
-        Column("RMS", [one.velocity for one in signals], "velocity", "mm/s", form=".3 [mm/s]"),
-        Column(said("from"), [one.lower for one in signals], "lower", "mm/s", form=".3 [mm/s]"),
-        Column(said("to"), [one.upper for one in signals], "upper", "mm/s", form=".3 [mm/s]"),
-        Column(
+        doc.Column("RMS", [one.velocity for one in signals], "velocity", "mm/s", form=".3 [mm/s]"),
+        doc.Column(said("from"), [one.lower for one in signals], "lower", "mm/s", form=".3 [mm/s]"),
+        doc.Column(said("to"), [one.upper for one in signals], "upper", "mm/s", form=".3 [mm/s]"),
+        doc.Column(
             said("displacement"),
             [one.displacement for one in signals],
             "displacement",
@@ -203,7 +192,7 @@ def _signals(found: SeverityResult) -> Section:
     if found.machine is not None:
         zones = [found.zone_of(one, found.machine) for one in found.measured]
         columns.append(
-            Column(
+            doc.Column(
                 said("zone"),
                 [zone or ABSENT for zone in zones],
                 "zone",
@@ -215,36 +204,36 @@ def _signals(found: SeverityResult) -> Section:
         " the segments of the record differ. Displacement: RMS in the same band.",
         confidence=signals[0].confidence,
     )
-    table = Table(tuple(columns), "signals", legends=(legend,))
-    return Section(said("Signals"), (table,), "signals")
+    table = doc.Table(tuple(columns), "signals", legends=(legend,))
+    return doc.Section(said("Signals"), (table,), "signals")
 
 
-def _time_columns(found: SeverityResult) -> Iterator[Column]:
+def _time_columns(found: SeverityResult) -> Iterator[doc.Column]:
     """Dates or running hours, if they are given."""
     if found.start:
         dates = [found.date_of(one) for one in found.measured]
-        yield Column(said("date"), dates, "date")
+        yield doc.Column(said("date"), dates, "date")
     elif any(isfinite(one.hours) for one in found.measured):
         times = [HOUR * one.hours for one in found.measured]
-        yield Column(said("time"), times, "hours", "h", form=".6 [h]")
+        yield doc.Column(said("time"), times, "hours", "h", form=".6 [h]")
 
 
-def _classes(found: SeverityResult) -> Section:
+def _classes(found: SeverityResult) -> doc.Section:
     worst = found.worst
     zones = [None if worst is None else found.zone_of(worst, machine) for machine in found.classes]
     edges = ("A/B", "B/C", "C/D")
     with_displacement = any(machine.displacement for machine in found.classes)
     columns = [
-        Column(
+        doc.Column(
             said("standard"), [machine.standard for machine in found.classes], "standard", once=True
         ),
-        Column(
+        doc.Column(
             said("class of machines"),
             [class_name(machine.name) for machine in found.classes],
             "class",
         ),
         *(
-            Column(
+            doc.Column(
                 edge,
                 [machine.velocity[place] for machine in found.classes],
                 edge,
@@ -254,7 +243,7 @@ def _classes(found: SeverityResult) -> Section:
             for place, edge in enumerate(edges)
         ),
         *(
-            Column(
+            doc.Column(
                 edge,
                 [_edge(machine.displacement, place) for machine in found.classes],
                 f"displacement {edge}",
@@ -264,7 +253,7 @@ def _classes(found: SeverityResult) -> Section:
             for place, edge in enumerate(edges)
             if with_displacement
         ),
-        Column(
+        doc.Column(
             said("zone"),
             [zone or ABSENT for zone in zones],
             "zone",
@@ -282,19 +271,19 @@ def _classes(found: SeverityResult) -> Section:
                 " copy of the standard."
             )
         )
-    table = Table(tuple(columns), "classes", legends=tuple(legends), fixed=2)
-    return Section(said("Zones"), (table,), "zones")
+    table = doc.Table(tuple(columns), "classes", legends=tuple(legends), fixed=2)
+    return doc.Section(said("Zones"), (table,), "zones")
 
 
-def _edge(edges: tuple[float, ...], place: int) -> CellContent:
+def _edge(edges: tuple[float, ...], place: int) -> doc.CellContent:
     return edges[place] if edges else None
 
 
-def _figure(found: SeverityResult) -> Figure:
+def _figure(found: SeverityResult) -> doc.Figure:
     if found.forecast is not None:
         caption = said("Velocity over time, on the zones")
-        return Figure(caption, lambda: trend_picture(found), "trend")
-    return Figure(said("Measured velocity on the zones"), lambda: zones_picture(found), "zones")
+        return doc.Figure(caption, lambda: trend_picture(found), "trend")
+    return doc.Figure(said("Measured velocity on the zones"), lambda: zones_picture(found), "zones")
 
 
 def zones_picture(found: SeverityResult) -> Picture:

@@ -8,20 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.document import (
-    Block,
-    Break,
-    CellContent,
-    Column,
-    Document,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Tone,
-)
+from rolamento import document as doc
 from rolamento.life.theories import THEORIES
 from rolamento.pages.life import LONGEST_LIFE, formulas_only, none_valid, percent, remarks
 from rolamento.units import HOUR
@@ -40,7 +27,7 @@ __all__ = ["shaft_page", "together_sentences", "together_statement"]
 _LONGEST_NAME: Final = 22
 
 
-def shaft_page(found: ShaftLife, names: Sequence[str]) -> Document:
+def shaft_page(found: ShaftLife, names: Sequence[str]) -> doc.Document:
     """Return the page of the lives of several bearings.
 
     Parameters
@@ -51,10 +38,10 @@ def shaft_page(found: ShaftLife, names: Sequence[str]) -> Document:
         Of the bearings: their titles, or files.
     """
     heading = said("Life of {count} bearings on one shaft", count=len(found))
-    sections = [Section(heading, _statement(found), "life")]
+    sections = [doc.Section(heading, _statement(found), "life")]
     if found.theories:
-        sections.append(Section("", (_table(found, names), *_remarks(found)), "bearings"))
-    return Document(heading, tuple(sections), kind="shaft_life")
+        sections.append(doc.Section("", (_table(found, names), *_remarks(found)), "bearings"))
+    return doc.Document(heading, tuple(sections), kind="shaft_life")
 
 
 def _theories(leading: SystemLife) -> str:
@@ -63,9 +50,9 @@ def _theories(leading: SystemLife) -> str:
     return "; ".join(map(theory_life, names))
 
 
-def _statement(found: ShaftLife) -> tuple[Block, ...]:
+def _statement(found: ShaftLife) -> tuple[doc.Block, ...]:
     leading = found.headline
-    sentences: list[tuple[str, Tone]] = []
+    sentences: list[tuple[str, doc.Tone]] = []
     if not found.converged:
         none = said("Without a result of every bearing there is no life of the shaft.")
         sentences.append((none, "bad-strong"))
@@ -78,11 +65,11 @@ def _statement(found: ShaftLife) -> tuple[Block, ...]:
         sentences.append((text, "warning"))
     else:
         sentences += _reached(found)
-    statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    statements = tuple(doc.Statement(text, tone, indent=2) for text, tone in sentences)
     return (*statements, *_cautions(found))
 
 
-def _cautions(found: ShaftLife) -> tuple[Notes, ...]:
+def _cautions(found: ShaftLife) -> tuple[doc.Notes, ...]:
     """Say what qualifies the lives, and of which bearings; of all if none is named."""
     numbers: dict[Note, list[int]] = {}
     for number, (solved, own) in enumerate(zip(found.bearings, found.lives, strict=True), start=1):
@@ -94,8 +81,8 @@ def _cautions(found: ShaftLife) -> tuple[Notes, ...]:
         text = note.text
         if len(own_numbers) < len(found):
             text = said("bearing {number}: {reason}", number=own_numbers, reason=text)
-        remarks.append(Remark(text, note.key, "warning"))
-    return (Notes(tuple(remarks)),) if remarks else ()
+        remarks.append(doc.Remark(text, note.key, "warning"))
+    return (doc.Notes(tuple(remarks)),) if remarks else ()
 
 
 def _failures(found: ShaftLife) -> list[str]:
@@ -107,14 +94,14 @@ def _failures(found: ShaftLife) -> list[str]:
     return texts
 
 
-def _reached(found: ShaftLife) -> list[tuple[str, Tone]]:
+def _reached(found: ShaftLife) -> list[tuple[str, doc.Tone]]:
     numbers = range(1, len(found) + 1)
     return together_sentences(found.headline, found.reliability, numbers)
 
 
 def together_sentences(
     leading: SystemLife, reliability: float, bearings: Sequence[int | str]
-) -> list[tuple[str, Tone]]:
+) -> list[tuple[str, doc.Tone]]:
     """Say what bearings reach together, and which limits it; bearings: names or numbers."""
     values = {
         "reliability": reliability,
@@ -140,7 +127,7 @@ def together_sentences(
             "{hours:.3r h} ({theory}).",
             **values,
         )
-    sentences: list[tuple[str, Tone]] = [(text, "strong")]
+    sentences: list[tuple[str, doc.Tone]] = [(text, "strong")]
     if np.all(np.isfinite(leading.risk)):
         most = int(np.argmax(leading.risk))
         limit = said(
@@ -152,27 +139,27 @@ def together_sentences(
     return sentences
 
 
-def together_statement(together: SystemLife, reliability: float) -> tuple[Block, ...]:
+def together_statement(together: SystemLife, reliability: float) -> tuple[doc.Block, ...]:
     """Say what bearings reach together under a spectrum, and which of them limits it."""
     if np.isnan(together.hours):
         none = said("Without a result of every bearing there is no life of the shaft.")
-        return (Statement(none, "bad-strong", indent=2),)
+        return (doc.Statement(none, "bad-strong", indent=2),)
     if not (together.valid or together.below):
-        return (Statement(none_valid("element"), "bad-strong", indent=2),)
+        return (doc.Statement(none_valid("element"), "bad-strong", indent=2),)
     numbers = range(1, len(together.theories) + 1)
     sentences = together_sentences(together, reliability, numbers)
-    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    return tuple(doc.Statement(text, tone, indent=2) for text, tone in sentences)
 
 
-def _table(found: ShaftLife, names: Sequence[str]) -> Table:
+def _table(found: ShaftLife, names: Sequence[str]) -> doc.Table:
     """Set bearings below each other, theories side by side, all together at the foot."""
     shown = [name for name in found.theories if not THEORIES[name].bound]  # of parts say little
     order = sorted(shown, key=lambda name: not THEORIES[name].standard)
-    tones: list[Tone] = [""] * len(names)
+    tones: list[doc.Tone] = [""] * len(names)
     tones.append("strong")
     columns = [
-        Column("", [*range(1, len(found) + 1), ""], "number", tone="faint", align="right"),
-        Column(
+        doc.Column("", [*range(1, len(found) + 1), ""], "number", tone="faint", align="right"),
+        doc.Column(
             "",
             [*(shortened(name, _LONGEST_NAME) for name in names), said("together")],
             "bearing",
@@ -183,7 +170,7 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
     risk = [_share(float(share)) for share in found.headline.risk]
     columns.insert(
         2 + sum(THEORIES[name].standard for name in order),
-        Column(said("failure\nshare"), [*risk, ""], "failure_share", "%", align="right"),
+        doc.Column(said("failure\nshare"), [*risk, ""], "failure_share", "%", align="right"),
     )
     first = 3 + sum(THEORIES[name].standard for name in order)
     values = {"reliability": found.reliability, "theory": _theories(found.headline)}
@@ -201,32 +188,32 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
             "probability, by the {theory}; * the theory is not valid there, < the life is below",
             **values,
         )
-    return Table(
+    return doc.Table(
         tuple(columns),
         "bearings",
         legends=(legend,),
         fixed=2,
-        breaks=(Break(first, ""),) if first < len(columns) else (),
+        breaks=(doc.Break(first, ""),) if first < len(columns) else (),
     )
 
 
-def _share(share: float) -> Number:
+def _share(share: float) -> doc.Number:
     """Write a share in the failure probability; nearly all is not all."""
     if 0.9995 <= share < 1.0:
-        return Number(0.999, ".3 [%]", before="> ")
+        return doc.Number(0.999, ".3 [%]", before="> ")
     if 0.0 < share < 0.001:
-        return Number(0.001, ".3 [%]", before="< ")
-    return Number(share, ".3 [%]")
+        return doc.Number(0.001, ".3 [%]", before="< ")
+    return doc.Number(share, ".3 [%]")
 
 
-def _hours_column(found: ShaftLife, name: str) -> Column:
+def _hours_column(found: ShaftLife, name: str) -> doc.Column:
     """Hours of each bearing by a theory, and of all together; marked where they are not valid."""
     whole = found[name]
     valid = [own is not None and bool(own[name].valid[0]) for own in found.lives]
     below = [own is not None and bool(own[name].below[0]) for own in found.lives]
     fine = all(held or bound for held, bound in zip(valid, below, strict=True))
-    values: list[CellContent] = []
-    tones: list[Tone] = []
+    values: list[doc.CellContent] = []
+    tones: list[doc.Tone] = []
     for hours, held, bound in zip(
         [*whole.bearing_hours.tolist(), whole.hours],
         [*valid, fine],
@@ -234,11 +221,11 @@ def _hours_column(found: ShaftLife, name: str) -> Column:
         strict=True,
     ):
         mark = " " if held or bound or isnan(hours) else "*"
-        values.append(Number(hours * HOUR, ".3r [h]", "<" if bound else "", mark))
+        values.append(doc.Number(hours * HOUR, ".3r [h]", "<" if bound else "", mark))
         tones.append("" if held and not bound else "warning")
     tones[-1] = "strong"
     head = "\n".join(f"{word} " for word in theory_heads(name))
-    return Column(head, values, name, "h", tones=tones, align="right")
+    return doc.Column(head, values, name, "h", tones=tones, align="right")
 
 
 def _elements(found: ShaftLife) -> set[str]:
@@ -246,7 +233,7 @@ def _elements(found: ShaftLife) -> set[str]:
     return {own.headline.element for own in found.lives if own is not None}
 
 
-def _remarks(found: ShaftLife) -> tuple[Block, ...]:
+def _remarks(found: ShaftLife) -> tuple[doc.Block, ...]:
     """Say what stands against the theories, and of which bearings; of all if none is named."""
     numbers: dict[tuple[str, Note], list[int]] = {}
     for number, summary in enumerate(found.lives, start=1):

@@ -8,19 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento.charts.axes_units import ANGLES
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-)
 from rolamento.words import decimals_for, in_unit, said
 from rolamento.words.reasons import reason
 
@@ -58,7 +47,7 @@ _LIVES: Final = {"h": ("h", 3600.0), "Mrev": ("10⁶ rev", 1e6)}
 """Outputs that are not in SI units: what people read them in, and what one is in SI."""
 
 
-def study_page(summary: Summary, title: str = "") -> Document:
+def study_page(summary: Summary, title: str = "") -> doc.Document:
     """Return the page of a study that was run.
 
     Parameters
@@ -68,23 +57,24 @@ def study_page(summary: Summary, title: str = "") -> Document:
     title
         Of the study.
     """
-    blocks: list[Block] = [Statement(title, "strong")] if title else []
-    sections = [Section(blocks=(*blocks, *_counts(summary)), key="head")]
+    blocks: list[doc.Block] = [doc.Statement(title, "strong")] if title else []
+    sections = [doc.Section(blocks=(*blocks, *_counts(summary)), key="head")]
     if summary.converged:
         blocks = [_ranges(summary.ranges), *_cautions(summary)]
-        sections.append(Section(blocks=tuple(blocks), key="ranges"))
+        sections.append(doc.Section(blocks=tuple(blocks), key="ranges"))
     written = said("Written to {path}.", path=str(summary.path))
-    sections.append(Section(blocks=(Statement(written),)))
+    sections.append(doc.Section(blocks=(doc.Statement(written),)))
     if summary.columns:
-        sections.append(Section(blocks=(cases_table(summary.columns),)))
-    return Document(title or said("Study"), tuple(sections), "sweep", main="cases")
+        sections.append(doc.Section(blocks=(cases_table(summary.columns),)))
+    return doc.Document(title or said("Study"), tuple(sections), "sweep", main="cases")
 
 
-def cases_table(columns: Sequence[CaseColumn]) -> Table:
+def cases_table(columns: Sequence[CaseColumn]) -> doc.Table:
     """Return the cases of a study, a line each, in the units that people read; for files only."""
-    return Table(
+    return doc.Table(
         tuple(
-            Column(one.name, _in_si(one).tolist(), one.name, _unit_in_files(one)) for one in columns
+            doc.Column(one.name, _in_si(one).tolist(), one.name, _unit_in_files(one))
+            for one in columns
         ),
         "cases",
         only_in_files=True,
@@ -108,7 +98,7 @@ def _unit_in_files(column: CaseColumn) -> str:
     return shown.get(column.unit, column.unit.replace("*", "·"))
 
 
-def _counts(summary: Summary) -> list[Block]:
+def _counts(summary: Summary) -> list[doc.Block]:
     """Show how many cases there are, how fast they were solved, and how they ended."""
     values = {"count": summary.cases, "seconds": summary.seconds}
     if summary.solved > 0 and summary.seconds > 0.0:
@@ -116,17 +106,17 @@ def _counts(summary: Summary) -> list[Block]:
         first = said("{count} cases in {seconds:.2} s, {rate:.0f} cases/s", **values, rate=rate)
     else:
         first = said("{count} cases in {seconds:.2} s", **values)
-    blocks: list[Block] = [Statement(first)]
+    blocks: list[doc.Block] = [doc.Statement(first)]
     if summary.solved < summary.cases:
         kept = said("{count} of them from an earlier run", count=summary.cases - summary.solved)
-        blocks.append(Statement(kept))
+        blocks.append(doc.Statement(kept))
     failed = summary.cases - summary.converged
     if not failed:
-        return [*blocks, Statement(said("all cases have a result"), "good", mark="✓")]
+        return [*blocks, doc.Statement(said("all cases have a result"), "good", mark="✓")]
     ended = said(
         "cases with a result: {count}; without: {failed}", count=summary.converged, failed=failed
     )
-    blocks.append(Statement(ended, "warning", mark="✗"))
+    blocks.append(doc.Statement(ended, "warning", mark="✗"))
     reasons = {
         reason(status): count
         for status, count in sorted(summary.counts.items(), key=lambda item: -item[1])
@@ -134,10 +124,10 @@ def _counts(summary: Summary) -> list[Block]:
     }
     if reasons:
         columns = (
-            Column(said("cases"), list(reasons.values()), "cases"),
-            Column(said("reason"), list(reasons), "reason"),
+            doc.Column(said("cases"), list(reasons.values()), "cases"),
+            doc.Column(said("reason"), list(reasons), "reason"),
         )
-        blocks.append(Table(columns, "failures", headless=True, indent=4))
+        blocks.append(doc.Table(columns, "failures", headless=True, indent=4))
     for status, one in summary.first.items():
         text = said(
             "{reason}, first in case {number}: {why}",
@@ -145,11 +135,11 @@ def _counts(summary: Summary) -> list[Block]:
             number=one.case + 1,
             why=one.reason.text,
         )
-        blocks.append(Statement(text, indent=2))
+        blocks.append(doc.Statement(text, indent=2))
     return blocks
 
 
-def _ranges(ranges: tuple[OutputRange, ...]) -> Table:
+def _ranges(ranges: tuple[OutputRange, ...]) -> doc.Table:
     """Show the range of each output in the units that people read."""
     units = [_unit(found) for found in ranges]
     rows = [
@@ -162,22 +152,22 @@ def _ranges(ranges: tuple[OutputRange, ...]) -> Table:
         for found, unit in zip(ranges, units, strict=True)
     ]
     columns = (
-        Column(said("output"), [found.output.name for found in ranges], "output"),
+        doc.Column(said("output"), [found.output.name for found in ranges], "output"),
         *(
-            Column(head, values, key, align="right")
+            doc.Column(head, values, key, align="right")
             for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
-        Column("", shown, "unit", align="left"),
+        doc.Column("", shown, "unit", align="left"),
     )
     every = max(found.every for found in ranges)
     legend = said("The medians are those of one case in {every}.", every=every)
-    return Table(columns, "ranges", legends=(legend,) if every > 1 else ())
+    return doc.Table(columns, "ranges", legends=(legend,) if every > 1 else ())
 
 
-def _cautions(summary: Summary) -> Iterator[Notes]:
+def _cautions(summary: Summary) -> Iterator[doc.Notes]:
     """Show what qualifies the cases at the ends of the ranges."""
     remarks = tuple(
-        Remark(
+        doc.Remark(
             said(
                 "{note} ({count} of {ends} cases at the ends of the ranges)",
                 note=note.text,
@@ -190,7 +180,7 @@ def _cautions(summary: Summary) -> Iterator[Notes]:
         for note, count in summary.cautions
     )
     if remarks:
-        yield Notes(remarks)
+        yield doc.Notes(remarks)
 
 
 def _unit(found: OutputRange) -> str:
@@ -200,11 +190,11 @@ def _unit(found: OutputRange) -> str:
     return _SHOWN.get(unit, "")
 
 
-def in_row(values: Sequence[float], unit: str = "") -> list[CellContent]:
+def in_row(values: Sequence[float], unit: str = "") -> list[doc.CellContent]:
     """Return the SI numbers of a row, with the same decimals, in a unit that stands elsewhere."""
     decimals = decimals_for([float(in_unit(value, unit)) for value in values], 5)
     form = f".{decimals}f" + (f" [{unit}]" if unit else "")
-    return [Number(float(value), form) for value in values]
+    return [doc.Number(float(value), form) for value in values]
 
 
 def _rounded(value: float) -> float:

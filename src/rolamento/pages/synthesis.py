@@ -7,22 +7,8 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Notes,
-    Number,
-    Remark,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.pages.frequencies import balls_of, contact_angle
 from rolamento.vibration.synthesis import Fault, SwingingSpeed, WanderingSpeed
 from rolamento.words import counted, manner, marked, said, said_in
@@ -51,21 +37,24 @@ _HOLDS: Final = {
 }
 
 
-def synthesis_page(found: SynthesisResult) -> Document:
+def synthesis_page(found: SynthesisResult) -> doc.Document:
     """Return the page of a synthetic signal."""
-    sections = [Section("", (Statement(_written(found), "strong"),), "verdict"), _facts(found)]
+    sections = [
+        doc.Section("", (doc.Statement(_written(found), "strong"),), "verdict"),
+        _facts(found),
+    ]
     if found.faults:
         sections.append(_planted(found))
     if found.lines:
         sections.append(_lines(found))
-    remarks = tuple(Remark(note.text, note.key) for note in found.notes)
+    remarks = tuple(doc.Remark(note.text, note.key) for note in found.notes)
     if remarks:
-        sections.append(Section(said("Notes"), (Notes(remarks),), "notes"))
+        sections.append(doc.Section(said("Notes"), (doc.Notes(remarks),), "notes"))
     if found.source != _STANDARD_INPUT:
-        command = Statement(found.command, indent=2, verbatim=True)
-        sections.append(Section(said("To look for it:"), (command,), "next"))
-    sections.append(Section("", tuple(_figures(found)), "figures"))
-    return Document(one_line(found.name), tuple(sections), kind="synthesise")
+        command = doc.Statement(found.command, indent=2, verbatim=True)
+        sections.append(doc.Section(said("To look for it:"), (command,), "next"))
+    sections.append(doc.Section("", tuple(_figures(found)), "figures"))
+    return doc.Document(one_line(found.name), tuple(sections), kind="synthesise")
 
 
 def _written(found: SynthesisResult) -> str:
@@ -87,20 +76,23 @@ def _together(faults: Iterable[Fault], element: str) -> str:
 # --- what the signal is made of ----------------------------------------------------------------
 
 
-def _facts(found: SynthesisResult) -> Section:
+def _facts(found: SynthesisResult) -> doc.Section:
     own = found.recipe.frequencies
     balls, angle = balls_of(found.bearing, own), contact_angle(own)
-    of_impacts = (Entry(said("load"), _load(found)), Entry(said("resonances"), _modes(found)))
-    entries = (
-        Entry(said("bearing"), f"{one_line(found.name)}: {balls}; {angle}"),
-        Entry(said("shaft"), "; ".join(_shaft(found))),
-        Entry(said("signal"), _signal(found)),
-        *(of_impacts if found.faults else ()),
-        Entry(said("noise"), _noise(found)),
-        Entry(said("seed"), str(found.recipe.seed)),
-        Entry(said("files"), "\n".join(_files(found))),
+    of_impacts = (
+        doc.Entry(said("load"), _load(found)),
+        doc.Entry(said("resonances"), _modes(found)),
     )
-    return Section("", (Title(said("Synthetic signal")), KeyValues(entries)), "given")
+    entries = (
+        doc.Entry(said("bearing"), f"{one_line(found.name)}: {balls}; {angle}"),
+        doc.Entry(said("shaft"), "; ".join(_shaft(found))),
+        doc.Entry(said("signal"), _signal(found)),
+        *(of_impacts if found.faults else ()),
+        doc.Entry(said("noise"), _noise(found)),
+        doc.Entry(said("seed"), str(found.recipe.seed)),
+        doc.Entry(said("files"), "\n".join(_files(found))),
+    )
+    return doc.Section("", (doc.Title(said("Synthetic signal")), doc.KeyValues(entries)), "given")
 
 
 def _shaft(found: SynthesisResult) -> Iterable[str]:
@@ -193,26 +185,28 @@ def _files(found: SynthesisResult) -> Iterable[str]:
 # --- what was planted ----------------------------------------------------------------------------
 
 
-def _planted(found: SynthesisResult) -> Section:
+def _planted(found: SynthesisResult) -> doc.Section:
     faults, noisy = found.faults, found.made.truth.noise_level > 0.0
     element = found.recipe.frequencies.element
-    to_noise = Column(
+    to_noise = doc.Column(
         said("to noise"), [one.to_noise for one in faults], "to_noise", "dB", form=".2f [dB]"
     )
     columns = (
-        Column("", [part_name(one.truth.kind, element) for one in faults], "part"),
-        Column(said("order"), [one.truth.order for one in faults], "order", form=".4f"),
-        Column(
+        doc.Column("", [part_name(one.truth.kind, element) for one in faults], "part"),
+        doc.Column(said("order"), [one.truth.order for one in faults], "order", form=".4f"),
+        doc.Column(
             said("frequency"),
             [one.truth.frequency for one in faults],
             "frequency",
             "Hz",
             form=".2f [Hz]",
         ),
-        Column(said("impacts"), [_impacts(one) for one in faults], "impacts"),
-        Column("RMS", [_number(one.truth.rms, "m/s²") for one in faults], "rms", "m/s²"),
+        doc.Column(said("impacts"), [_impacts(one) for one in faults], "impacts"),
+        doc.Column("RMS", [_number(one.truth.rms, "m/s²") for one in faults], "rms", "m/s²"),
         *((to_noise,) if noisy else ()),
-        Column(said("jitter"), [one.fault.jitter for one in faults], "jitter", "%", form=".3 [%]"),
+        doc.Column(
+            said("jitter"), [one.fault.jitter for one in faults], "jitter", "%", form=".3 [%]"
+        ),
     )
     legend = said(
         "Order: of the shaft. Impacts: with non-zero force. RMS: of what the fault alone produces."
@@ -224,21 +218,21 @@ def _planted(found: SynthesisResult) -> Section:
             " produces. To noise: its power over that of the noise. Jitter: standard deviation of"
             " the intervals."
         )
-    table = Table(columns, "planted", legends=(legend,))
-    return Section(said("Planted"), (table,), "planted")
+    table = doc.Table(columns, "planted", legends=(legend,))
+    return doc.Section(said("Planted"), (table,), "planted")
 
 
 def _impacts(one: PlantedFault) -> float | int:
     return one.impacts if one.fault.modulation == "amplitude" else float("nan")
 
 
-def _lines(found: SynthesisResult) -> Section:
+def _lines(found: SynthesisResult) -> doc.Section:
     """Show the strongest peaks of waviness and shaft, of those that the rate holds."""
     held = [line for line in found.lines if line.frequency < 0.5 * found.recipe.rate]
     element = found.recipe.frequencies.element
-    blocks: list[Block] = [_line_table(held[:_MOST_LINES], element)] if held else []
-    blocks += [Statement(text, "faint", indent=2) for text in _left_out(found, len(held))]
-    return Section(said("Peaks"), tuple(blocks), "lines")
+    blocks: list[doc.Block] = [_line_table(held[:_MOST_LINES], element)] if held else []
+    blocks += [doc.Statement(text, "faint", indent=2) for text in _left_out(found, len(held))]
+    return doc.Section(said("Peaks"), tuple(blocks), "lines")
 
 
 def _left_out(found: SynthesisResult, held: int) -> Iterable[str]:
@@ -257,10 +251,10 @@ def _left_out(found: SynthesisResult, held: int) -> Iterable[str]:
         )
 
 
-def _line_table(lines: list[PlantedLine], element: str) -> Table:
+def _line_table(lines: list[PlantedLine], element: str) -> doc.Table:
     waves = [float("nan") if line.source == "shaft" else line.waves for line in lines]
     columns = (
-        Column(
+        doc.Column(
             "",
             [
                 part_name("ball", element)
@@ -270,38 +264,38 @@ def _line_table(lines: list[PlantedLine], element: str) -> Table:
             ],
             "source",
         ),
-        Column(said("waves"), waves, "waves"),
-        Column(said("order"), [line.order for line in lines], "order", form=".4f"),
-        Column(
+        doc.Column(said("waves"), waves, "waves"),
+        doc.Column(said("order"), [line.order for line in lines], "order", form=".4f"),
+        doc.Column(
             said("frequency"),
             [line.frequency for line in lines],
             "frequency",
             "Hz",
             form=".2f [Hz]",
         ),
-        Column(
+        doc.Column(
             said("amplitude"),
             [_number(line.amplitude, "nm", 3) for line in lines],
             "amplitude",
             "nm",
         ),
-        Column("RMS", [_number(line.rms, "m/s²", 3) for line in lines], "rms", "m/s²"),
+        doc.Column("RMS", [_number(line.rms, "m/s²", 3) for line in lines], "rms", "m/s²"),
     )
-    return Table(columns, "lines")
+    return doc.Table(columns, "lines")
 
 
-def _number(value: float, unit: str, figures: int = 4) -> Number:
+def _number(value: float, unit: str, figures: int = 4) -> doc.Number:
     """Return a number to so many figures; by its order of magnitude if it is far out."""
     shown = 1e9 * value if unit == "nm" else value
     far = isfinite(shown) and shown != 0.0 and not _SMALLEST <= abs(shown) < _GREATEST
-    return Number(value, f".1e [{unit}]" if far else f".{figures} [{unit}]")
+    return doc.Number(value, f".1e [{unit}]" if far else f".{figures} [{unit}]")
 
 
 def _written_number(value: float) -> str:
     return manner().number(value, _number(value, "").form)
 
 
-def _figures(found: SynthesisResult) -> Iterable[Figure]:
-    yield Figure(
+def _figures(found: SynthesisResult) -> Iterable[doc.Figure]:
+    yield doc.Figure(
         said("The signal over time"), lambda: plots.waveform_figure(found.made.signal), "waveform"
     )

@@ -8,22 +8,12 @@ from typing import Any, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
 from rolamento.case.labels import label_of
 from rolamento.charts import Axis, Chart, Line, Look, Mark, Spread, nothing
 from rolamento.charts.axes_units import PERCENT, ReadableUnit, readable_unit
 from rolamento.charts.texts import capitalised
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.errors import InputError
 from rolamento.pages.given import picture
 from rolamento.pages.life import LONGEST_LIFE, hours_text
@@ -46,7 +36,7 @@ _MOVES: Final = 0.3
 _MOST_INPUTS: Final = 6
 
 
-def tolerance_page(study: ToleranceStudy) -> Document:
+def tolerance_page(study: ToleranceStudy) -> doc.Document:
     """Return the page of a tolerance study.
 
     Parameters
@@ -71,11 +61,13 @@ def tolerance_page(study: ToleranceStudy) -> Document:
             example="--json FILE",
         )
     title = study.title or said("Tolerance study")
-    sections = [Section(blocks=(Title(title), _head(study)), key="head")]
+    sections = [doc.Section(blocks=(doc.Title(title), _head(study)), key="head")]
     for number, place in enumerate(points):
         suffix = f"_{number + 1}" if place else ""
         if place:
-            sections.append(Section(blocks=(Statement(_point(study.samples, place), "strong"),)))
+            sections.append(
+                doc.Section(blocks=(doc.Statement(_point(study.samples, place), "strong"),))
+            )
         sections.append(_bands(study, place, suffix))
         if study.ranks is not None:
             sections.append(_ranks(study, study.ranks, place, suffix))
@@ -84,10 +76,10 @@ def tolerance_page(study: ToleranceStudy) -> Document:
     if study.ranks is not None and not any(points):
         caption = said("Distributions of the outputs, and the inputs that move them")
         sections.append(picture(caption, lambda: plots.tolerance_figure(study), "tolerance", ""))
-    return Document(title, tuple(sections), "tolerance")
+    return doc.Document(title, tuple(sections), "tolerance")
 
 
-def tolerance_summary(study: ToleranceStudy) -> Section:
+def tolerance_summary(study: ToleranceStudy) -> doc.Section:
     """Return what the outputs of a scattered case come to, one a row, and what moves each most.
 
     study: without axes beside its samples.
@@ -105,20 +97,20 @@ def tolerance_summary(study: ToleranceStudy) -> Section:
         units.append("" if unit.symbol == "–" else unit.symbol)
     heads = [f"{manner().short(percent, 6)} %" for percent in study.bands.percentiles]
     columns = (
-        Column(head="", key="output", values=[known[band.name].label for band in bands]),
+        doc.Column(head="", key="output", values=[known[band.name].label for band in bands]),
         *(
-            Column(head=head, key=f"percentile_{place}", values=values, align="right")
+            doc.Column(head=head, key=f"percentile_{place}", values=values, align="right")
             for place, (head, values) in enumerate(
                 zip(heads, zip(*rows, strict=True), strict=True)
             )
         ),
-        Column(head="", key="unit", values=units, align="left"),
-        Column(head=said("moved most by"), key="moved",
+        doc.Column(head="", key="unit", values=units, align="left"),
+        doc.Column(head=said("moved most by"), key="moved",
                values=[_moved(study, band) for band in bands], align="left"),
     )  # fmt: skip
     failed = int(study.bands.without_result.sum())
-    blocks = [Statement(_result(study, failed), "bad")] if failed else []
-    return Section("", (*blocks, Table(columns=columns, key="percentiles")), "percentiles")
+    blocks = [doc.Statement(_result(study, failed), "bad")] if failed else []
+    return doc.Section("", (*blocks, doc.Table(columns=columns, key="percentiles")), "percentiles")
 
 
 def _moved(study: ToleranceStudy, band: ToleranceBand) -> str:
@@ -193,17 +185,17 @@ def distribution_chart(study: ToleranceStudy, name: str) -> Chart:
     )
 
 
-def _head(study: ToleranceStudy) -> KeyValues:
+def _head(study: ToleranceStudy) -> doc.KeyValues:
     counted = said(
         "{samples} samples of {inputs} inputs",
         samples=len(study.samples),
         inputs=len(study.samples.inputs),
     )
     failed = int(study.bands.without_result.sum())
-    return KeyValues(
+    return doc.KeyValues(
         (
-            Entry(said("study"), counted),
-            Entry(said("result"), _result(study, failed), "bad-strong" if failed else "good"),
+            doc.Entry(said("study"), counted),
+            doc.Entry(said("result"), _result(study, failed), "bad-strong" if failed else "good"),
         )
     )
 
@@ -254,7 +246,7 @@ def _at(band: ToleranceBand, study: ToleranceStudy, place: tuple[int, ...]) -> I
         yield tuple(chosen[axis] for axis in band.axes), label
 
 
-def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> Section:
+def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> doc.Section:
     percentiles = study.bands.percentiles
     shown = [i for i, value in enumerate(percentiles) if value in _SHOWN]
     shown = shown if len(shown) == len(_SHOWN) else list(range(len(percentiles)))
@@ -270,18 +262,18 @@ def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> Sectio
     heads = {f"percentile_{i}": f"{manner().short(percentiles[i], 6)} %" for i in shown}
     heads["standard_deviation"] = said("std. dev.")
     columns = (
-        Column("", names, "output"),
+        doc.Column("", names, "output"),
         *(
-            Column(head, values, key, align="right")
+            doc.Column(head, values, key, align="right")
             for (key, head), values in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
-        Column("", units, "unit", align="left"),
+        doc.Column("", units, "unit", align="left"),
     )
-    table = Table(columns, f"percentiles{suffix}")
-    return Section(said("Percentiles of the outputs"), (table,), f"percentiles{suffix}")
+    table = doc.Table(columns, f"percentiles{suffix}")
+    return doc.Section(said("Percentiles of the outputs"), (table,), f"percentiles{suffix}")
 
 
-def _row(values: Sequence[float], unit: ReadableUnit) -> list[CellContent]:
+def _row(values: Sequence[float], unit: ReadableUnit) -> list[doc.CellContent]:
     """Return one output's numbers with the same decimals."""
     factor, offset = UNITS.get(unit.symbol, (0.0, 0.0))
     if isclose(factor, unit.factor, rel_tol=1e-12) and not offset:
@@ -291,9 +283,9 @@ def _row(values: Sequence[float], unit: ReadableUnit) -> list[CellContent]:
 
 def _ranks(
     study: ToleranceStudy, ranks: RankCorrelations, place: tuple[int, ...], suffix: str
-) -> Section:
+) -> doc.Section:
     groups: list[tuple[int, str]] = []
-    rows: list[tuple[CellContent, ...]] = []
+    rows: list[tuple[doc.CellContent, ...]] = []
     for band in study.bands.bands:
         for inside, label in _at(band, study, place):
             groups.append((len(rows), f"{band.name}{label}"))
@@ -319,17 +311,17 @@ def _ranks(
     )
     inputs, numbers, lows, highs, bars = zip(*rows, strict=True)
     columns = (
-        Column("", inputs, "input"),
-        Column("", numbers, "correlation", form=".2f", tone="strong"),
-        Column(said("from"), lows, "low", form=".2f", tone="faint"),
-        Column(said("to"), highs, "high", form=".2f", tone="faint"),
-        Column("", bars, "bar", bar=True),
+        doc.Column("", inputs, "input"),
+        doc.Column("", numbers, "correlation", form=".2f", tone="strong"),
+        doc.Column(said("from"), lows, "low", form=".2f", tone="faint"),
+        doc.Column(said("to"), highs, "high", form=".2f", tone="faint"),
+        doc.Column("", bars, "bar", bar=True),
     )
     key = f"rank_correlation{suffix}"
-    return Section(heading, (Table(columns, key, groups=tuple(groups)),), key)
+    return doc.Section(heading, (doc.Table(columns, key, groups=tuple(groups)),), key)
 
 
-def _sobol(found: SobolIndices) -> Section:
+def _sobol(found: SobolIndices) -> doc.Section:
     heading = said(
         "Sobol indices from {runs} runs, {confidence} % interval",
         runs=found.runs,
@@ -341,7 +333,7 @@ def _sobol(found: SobolIndices) -> Section:
         found.total, found.total_low, found.total_high,
     )  # fmt: skip
     groups: list[tuple[int, str]] = []
-    rows: list[tuple[CellContent, ...]] = []
+    rows: list[tuple[doc.CellContent, ...]] = []
     for row, output in enumerate(found.outputs):
         groups.append((len(rows), output))
         totals = found.total[row]
@@ -361,9 +353,9 @@ def _sobol(found: SobolIndices) -> Section:
     }
     inputs, *numbers_, bars = zip(*rows, strict=True)
     columns = (
-        Column("", inputs, "input"),
+        doc.Column("", inputs, "input"),
         *(
-            Column(
+            doc.Column(
                 head,
                 values,
                 key,
@@ -372,10 +364,10 @@ def _sobol(found: SobolIndices) -> Section:
             )
             for (key, head), values in zip(heads.items(), numbers_, strict=True)
         ),
-        Column("", bars, "bar", bar=True),
+        doc.Column("", bars, "bar", bar=True),
     )
-    table = Table(columns, "sobol", groups=tuple(groups))
-    return Section(heading, (table,), "sobol")
+    table = doc.Table(columns, "sobol", groups=tuple(groups))
+    return doc.Section(heading, (table,), "sobol")
 
 
 def _leaves(names: Sequence[str]) -> list[str]:

@@ -5,19 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.io.dates import moment_after
 from rolamento.pages.given import picture
 from rolamento.pages.limit import limit_section
@@ -47,7 +36,7 @@ _LAWS: Final = {
 }
 
 
-def trend_page(found: TrendStudy) -> Document:
+def trend_page(found: TrendStudy) -> doc.Document:
     """Return the page of a record; lengths and times are in the units of the data.
 
     Parameters
@@ -57,17 +46,17 @@ def trend_page(found: TrendStudy) -> Document:
     """
     trend = found.trend
     title = one_line(trend.title) or said("Measurements")
-    entries = [Entry(said("source"), one_line(trend.source))]
+    entries = [doc.Entry(said("source"), one_line(trend.source))]
     if trend.start:
-        entries.append(Entry(said("days from"), trend.start))
-    source = KeyValues(tuple(entries))
+        entries.append(doc.Entry(said("days from"), trend.start))
+    source = doc.KeyValues(tuple(entries))
     sections = [
-        Section(blocks=(Title(title), source), key="head"),
-        Section(blocks=(_measurements(trend),), key="measurements"),
+        doc.Section(blocks=(doc.Title(title), source), key="head"),
+        doc.Section(blocks=(_measurements(trend),), key="measurements"),
     ]
-    notes = tuple(Statement(note.text, "faint", indent=2) for note in trend.notes)
+    notes = tuple(doc.Statement(note.text, "faint", indent=2) for note in trend.notes)
     if notes:
-        sections.append(Section(blocks=notes))
+        sections.append(doc.Section(blocks=notes))
     if found.fits:
         sections.append(_laws_of_wear(trend, found.fits))
     for place in dict.fromkeys(one.quantity for one in found.limits):
@@ -81,7 +70,7 @@ def trend_page(found: TrendStudy) -> Document:
 
     caption = said("Measurements over the running time")
     sections.append(picture(caption, lambda: trend_picture(found), "trend", ""))
-    return Document(title, tuple(sections), "trend")
+    return doc.Document(title, tuple(sections), "trend")
 
 
 def trend_picture(found: TrendStudy) -> Picture:
@@ -91,7 +80,7 @@ def trend_picture(found: TrendStudy) -> Picture:
     return figure
 
 
-def _measurements(trend: Trend) -> Table:
+def _measurements(trend: Trend) -> doc.Table:
     """One line a measurement."""
     places = {name: place for place, name in enumerate(trend.names)}
     order = sorted(
@@ -106,14 +95,16 @@ def _measurements(trend: Trend) -> Table:
         if name and (not place or name != bearings[place - 1])
     )
     columns = [
-        Column(said("bearing"), bearings, "bearing", only_in_files=True),
+        doc.Column(said("bearing"), bearings, "bearing", only_in_files=True),
         *_days(trend, shown),
-        Column(trend.time_unit, [Number(float(trend.times[row]), ".6") for row in shown], "time"),
+        doc.Column(
+            trend.time_unit, [doc.Number(float(trend.times[row]), ".6") for row in shown], "time"
+        ),
     ]
     for place, (name, unit) in enumerate(zip(trend.quantities, trend.units, strict=True)):
         known = said(QUANTITIES[name]) if name in QUANTITIES else name
         columns.append(
-            Column(
+            doc.Column(
                 f"{shortened(known)} {unit}".rstrip(),
                 _cells(trend, shown, place),
                 name,
@@ -129,27 +120,27 @@ def _measurements(trend: Trend) -> Table:
                 shown=len(shown),
             )
         )
-    return Table(tuple(columns), "measurements", groups=groups, legends=tuple(legends))
+    return doc.Table(tuple(columns), "measurements", groups=groups, legends=tuple(legends))
 
 
-def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
+def _days(trend: Trend, rows: Sequence[int]) -> list[doc.Column]:
     """The dates of measurements, if the record has them."""
     if not trend.start:
         return []
     days = [moment_after(trend.start, float(trend.times[row])) for row in rows]
-    return [Column(said("date"), days, "date")]
+    return [doc.Column(said("date"), days, "date")]
 
 
-def _cells(trend: Trend, rows: Sequence[int], quantity: int) -> list[CellContent]:
+def _cells(trend: Trend, rows: Sequence[int], quantity: int) -> list[doc.CellContent]:
     return [
         _REJECTED
         if trend.rejected[row, quantity]
-        else Number(float(trend.values[row, quantity]), ".5")
+        else doc.Number(float(trend.values[row, quantity]), ".5")
         for row in rows
     ]
 
 
-def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
+def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> doc.Section:
     """One line a bearing: the constants of its law, with their standard errors."""
     length, time = trend.units[0], trend.time_unit
     metre, second = to_si(f"1 {length}", "length"), to_si(f"1 {time}", "time")
@@ -163,7 +154,7 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
     }
     first = next(iter(fits.values()))
     columns = [
-        Column(said("bearing"), [shortened(one_line(bearing)) for bearing in fits], "bearing")
+        doc.Column(said("bearing"), [shortened(one_line(bearing)) for bearing in fits], "bearing")
     ]
     for name in first.constants:
         head, scale = constants[name]
@@ -172,12 +163,12 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
         for key, shown, numbers, figures in (
             (name, head, values, _FIGURES), (f"{name}_error", "±", errors, 2),
         ):  # fmt: skip
-            cells = [Number(value, f".{figures}") for value in numbers]
-            columns.append(Column(shown, cells, key))
+            cells = [doc.Number(value, f".{figures}") for value in numbers]
+            columns.append(doc.Column(shown, cells, key))
     columns.append(
-        Column(
+        doc.Column(
             said("residual {length}", length=length),
-            [Number(fit.residual / metre, ".2") for fit in fits.values()],
+            [doc.Number(fit.residual / metre, ".2") for fit in fits.values()],
             "residual",
         )
     )
@@ -191,5 +182,5 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
             " for other bearings."
         ),
     )
-    table = Table(tuple(columns), "wear", legends=legends)
-    return Section(said("Law of wear: {law}", law=_LAWS[first.law]), (table,), "wear")
+    table = doc.Table(tuple(columns), "wear", legends=legends)
+    return doc.Section(said("Law of wear: {law}", law=_LAWS[first.law]), (table,), "wear")

@@ -8,22 +8,9 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
 from rolamento.case.duty import AXES, LOADS
-from rolamento.document import (
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.numerics import FloatArray
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import title_of
@@ -46,7 +33,7 @@ _LOAD_UNITS: Final = ("N",) * _SHIFTS + ("N·m",) * 2
 _STIFFNESS_UNITS: Final = ("N/µm",) * _SHIFTS + ("N·m/mrad",) * 2
 
 
-def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
+def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> doc.Document:
     """Return the page of a turn of the cage.
 
     Parameters
@@ -57,12 +44,12 @@ def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
         Its friction torque, if that is known.
     """
     title = title_of(turn.case)
-    sections = [Section("", (Title(title), _head(turn)), "given")]
+    sections = [doc.Section("", (doc.Title(title), _head(turn)), "given")]
     if turn.converged:
         sections += [_displacement(turn), _load(turn), _stiffness(turn)]
         sections += [_torque(torque)] if torque is not None else []
         sections += [_ball(history, turn) for history in turn.histories]
-    figure = Figure(
+    figure = doc.Figure(
         worded(
             turn.elements,
             said("Displacement, stiffness and ball load over one pitch of the cage"),
@@ -71,11 +58,11 @@ def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
         lambda: plots.cage_turn_figure(turn),
         "turn",
     )
-    sections.append(Section("", (figure, _instants(turn)), "instants"))
-    return Document(title, tuple(sections), kind="turn", main="instants")
+    sections.append(doc.Section("", (figure, _instants(turn)), "instants"))
+    return doc.Document(title, tuple(sections), kind="turn", main="instants")
 
 
-def _head(turn: CageTurn) -> KeyValues:
+def _head(turn: CageTurn) -> doc.KeyValues:
     over = {"count": len(turn), "period": turn.period}
     points = worded(
         turn.elements,
@@ -83,9 +70,9 @@ def _head(turn: CageTurn) -> KeyValues:
         said("{count} instants of the first roller over {period:.4 °}", **over),
         said("{count} instants over {period:.4 °}", **over),
     )
-    entries = [Entry(said("turn"), points)]
+    entries = [doc.Entry(said("turn"), points)]
     if turn.converged:
-        entries.append(Entry(said("cage"), _cage(turn)))
+        entries.append(doc.Entry(said("cage"), _cage(turn)))
         status = said("✓ all instants converged")
     else:
         failed = turn.status[turn.status != "converged"]
@@ -95,10 +82,10 @@ def _head(turn: CageTurn) -> KeyValues:
             count=len(turn),
             reasons=[reason(code) for code in np.unique(failed).tolist()],
         )
-    entries.append(Entry(said("status"), status, "good" if turn.converged else "bad-strong"))
+    entries.append(doc.Entry(said("status"), status, "good" if turn.converged else "bad-strong"))
     if turn.advice is not None:
-        entries.append(Entry(said("advice"), turn.advice.text))
-    return KeyValues(tuple(entries))
+        entries.append(doc.Entry(said("advice"), turn.advice.text))
+    return doc.KeyValues(tuple(entries))
 
 
 def _cage(turn: CageTurn) -> str:
@@ -130,9 +117,9 @@ def _cage(turn: CageTurn) -> str:
 # --- the ring ----------------------------------------------------------------------------------
 
 
-def _displacement(turn: CageTurn) -> Section:
+def _displacement(turn: CageTurn) -> doc.Section:
     variation = turn.variation("displacement")
-    blocks: list[Block] = [
+    blocks: list[doc.Block] = [
         _variation_table(AXES, variation, _MEAN_UNITS, _VARIED_UNITS, key="displacement")
     ]
     if not variation.peak_to_peak.any():
@@ -141,12 +128,12 @@ def _displacement(turn: CageTurn) -> Section:
             said("no variation: the ring does not move while the balls pass"),
             said("no variation: the ring does not move while the rollers pass"),
         )
-        blocks.append(Statement(text, "faint", indent=2))
+        blocks.append(doc.Statement(text, "faint", indent=2))
     heading = said("Displacement of the inner ring")
-    return Section(heading, tuple(blocks), "displacement")
+    return doc.Section(heading, tuple(blocks), "displacement")
 
 
-def _torque(found: TorqueTurn) -> Section:
+def _torque(found: TorqueTurn) -> doc.Section:
     """Show how the friction torque varies, as far as an ideal bearing's does."""
     unit = torque_unit([found.mean])
     amplitudes = np.abs(found.harmonics[:_HARMONICS])
@@ -158,21 +145,22 @@ def _torque(found: TorqueTurn) -> Section:
             for order, value in enumerate(amplitudes, start=1)
         ),
     ]
+    shares = [value / found.mean if found.mean else nan for _, value in rows]
+    values = [doc.Number(value, f".3 [{unit}]") for _, value in rows]
     columns = (
-        Column("", [label for label, _ in rows], "quantity"),
-        Column("", [Number(value, f".3 [{unit}]") for _, value in rows], "value", align="right"),
-        Column("", [unit] * len(rows), "unit"),
-        Column("", [Number(value / found.mean if found.mean else nan, ".3 %")
-                                for _, value in rows], "share", align="right"),
-    )  # fmt: skip
+        doc.Column("", [label for label, _ in rows], "quantity"),
+        doc.Column("", values, "value", align="right"),
+        doc.Column("", [unit] * len(rows), "unit"),
+        doc.Column("", [doc.Number(share, ".3 %") for share in shares], "share"),
+    )
     legend = said("of an ideal bearing; unlike elements, waviness and the cage add more")
-    table = Table(columns, "torque", headless=True, legends=(legend,))
-    return Section(said("Friction torque"), (table,), "torque")
+    table = doc.Table(columns, "torque", headless=True, legends=(legend,))
+    return doc.Section(said("Friction torque"), (table,), "torque")
 
 
-def _load(turn: CageTurn) -> Section:
+def _load(turn: CageTurn) -> doc.Section:
     table = _variation_table(LOADS, turn.variation("load"), _LOAD_UNITS, _LOAD_UNITS, key="load")
-    return Section(said("Load on the inner ring"), (table,), "load")
+    return doc.Section(said("Load on the inner ring"), (table,), "load")
 
 
 def _variation_table(
@@ -181,68 +169,70 @@ def _variation_table(
     mean_units: Sequence[str],
     units: Sequence[str],
     key: str,
-) -> Table:
+) -> doc.Table:
     """Show mean, peak to peak and the first harmonics of the five degrees of freedom."""
     amplitudes = np.abs(variation.harmonics[:_HARMONICS])
     columns = [
-        Column("", names, "direction"),
-        Column(said("mean"), _alike(variation.mean, mean_units, 5, 3, zero=False), "mean"),
-        Column("", mean_units, "mean_unit"),
-        Column(
+        doc.Column("", names, "direction"),
+        doc.Column(said("mean"), _alike(variation.mean, mean_units, 5, 3, zero=False), "mean"),
+        doc.Column("", mean_units, "mean_unit"),
+        doc.Column(
             said("peak to peak"),
             _alike(variation.peak_to_peak, units, 4, 4),
             "peak_to_peak",
             tone="strong",
         ),
         *(
-            Column(
+            doc.Column(
                 said("harm. {order}", order=order), _alike(values, units, 4, 4), f"harmonic_{order}"
             )
             for order, values in enumerate(amplitudes, start=1)
         ),
-        Column("", units, "unit"),
+        doc.Column("", units, "unit"),
     ]
-    return Table(tuple(columns), key)
+    return doc.Table(tuple(columns), key)
 
 
 def _alike(
     values: FloatArray, units: Sequence[str], figures: int, most: int, *, zero: bool = True
-) -> list[CellContent]:
+) -> list[doc.CellContent]:
     """Write shifts, and tilts, each with the decimals of the greatest; zero: nothing as 0."""
-    cells: list[CellContent] = []
+    cells: list[doc.CellContent] = []
     for part in (slice(None, _SHIFTS), slice(_SHIFTS, None)):
         pairs = list(zip(values[part].tolist(), units[part], strict=True))
         decimals = decimals_for([float(in_unit(v, u)) for v, u in pairs], figures, most)
         cells += [
-            Number(value, f".{decimals if value or not zero else 0}f [{unit}]")
+            doc.Number(value, f".{decimals if value or not zero else 0}f [{unit}]")
             for value, unit in pairs
         ]
     return cells
 
 
-def _stiffness(turn: CageTurn) -> Section:
+def _stiffness(turn: CageTurn) -> doc.Section:
     variation = turn.variation("stiffness")
     means, extents = np.diagonal(variation.mean), np.diagonal(variation.peak_to_peak)
     shares = [float(e / abs(m)) if m else nan for e, m in zip(extents, means, strict=True)]
     columns = (
-        Column("", [f"{load} {axis}" for load, axis in zip(LOADS, AXES, strict=True)], "direction"),
-        Column(said("mean"), _short(means, 5), "mean"),
-        Column(said("peak to peak"), _short(extents, 4), "peak_to_peak", tone="strong"),
-        Column("", _STIFFNESS_UNITS, "unit"),
-        Column(said("of mean"), [Number(share, ".3 %") for share in shares], "share"),
+        doc.Column(
+            "", [f"{load} {axis}" for load, axis in zip(LOADS, AXES, strict=True)], "direction"
+        ),
+        doc.Column(said("mean"), _short(means, 5), "mean"),
+        doc.Column(said("peak to peak"), _short(extents, 4), "peak_to_peak", tone="strong"),
+        doc.Column("", _STIFFNESS_UNITS, "unit"),
+        doc.Column(said("of mean"), [doc.Number(share, ".3 %") for share in shares], "share"),
     )
-    return Section(said("Stiffness"), (Table(columns, "stiffness"),), "stiffness")
+    return doc.Section(said("Stiffness"), (doc.Table(columns, "stiffness"),), "stiffness")
 
 
-def _short(values: FloatArray, figures: int) -> list[CellContent]:
+def _short(values: FloatArray, figures: int) -> list[doc.CellContent]:
     pairs = zip(values.tolist(), _STIFFNESS_UNITS, strict=True)
-    return [Number(value, f".{figures} [{unit}]") for value, unit in pairs]
+    return [doc.Number(value, f".{figures} [{unit}]") for value, unit in pairs]
 
 
 # --- one ball ----------------------------------------------------------------------------------
 
 
-def _ball(history: BallHistory, turn: CageTurn) -> Section:
+def _ball(history: BallHistory, turn: CageTurn) -> doc.Section:
     """Show where one ball of a row carries most and least."""
     races = {"inner": history.inner, "outer": history.outer}
     shown = (
@@ -253,7 +243,7 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
         (said("minimum load"), "N"),
         (said("loaded over"), "°"),
     )
-    columns = [Column("", [label for label, _ in shown], "quantity")]
+    columns = [doc.Column("", [label for label, _ in shown], "quantity")]
     heads = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
     for race in RACES:
         contact = races[race]
@@ -267,11 +257,11 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
             2.0 * np.pi * np.mean(contact.load > 0.0),
         )
         cells = [
-            Number(float(value), f".5 [{unit}]")
+            doc.Number(float(value), f".5 [{unit}]")
             for value, (_, unit) in zip(values, shown, strict=True)
         ]
-        columns.append(Column(heads[race], cells, race, align="right"))
-    columns.append(Column("", [unit for _, unit in shown], "unit"))
+        columns.append(doc.Column(heads[race], cells, race, align="right"))
+    columns.append(doc.Column("", [unit for _, unit in shown], "unit"))
     element = (turn.elements[history.row],)
     heading = worded(element, said("One ball over its orbit"), said("One roller over its orbit"))
     if len(turn.histories) > 1:
@@ -281,30 +271,30 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
             said("One roller of row {number} over its orbit", number=history.row),
         )
     key = f"ball_{history.row}"
-    return Section(heading, (Table(tuple(columns), key),), key)
+    return doc.Section(heading, (doc.Table(tuple(columns), key),), key)
 
 
 # --- the instants ------------------------------------------------------------------------------
 
 
-def _instants(turn: CageTurn) -> Table:
+def _instants(turn: CageTurn) -> doc.Table:
     """Return a line for every instant; for files."""
     solved = turn.solved
     columns = [
-        Column("ψ", turn.angle.tolist(), "angle", "°"),
-        Column("t", turn.time.tolist(), "time", "ms"),
-        Column(said("status"), turn.status.tolist(), "status"),
+        doc.Column("ψ", turn.angle.tolist(), "angle", "°"),
+        doc.Column("t", turn.time.tolist(), "time", "ms"),
+        doc.Column(said("status"), turn.status.tolist(), "status"),
     ]
     for names, units, values in (
         (AXES, _MEAN_UNITS, solved.displacement.array),
         (LOADS, _LOAD_UNITS, solved.load.array),
     ):
         columns += [
-            Column(name, values[:, place].tolist(), name, unit)
+            doc.Column(name, values[:, place].tolist(), name, unit)
             for place, (name, unit) in enumerate(zip(names, units, strict=True))
         ]
     columns += [
-        Column(
+        doc.Column(
             f"{load} {axis}",
             solved.stiffness.array[:, row, column].tolist(),
             f"stiffness_{load}_{axis}",
@@ -314,7 +304,7 @@ def _instants(turn: CageTurn) -> Table:
         for column, axis in enumerate(AXES)
     ]
     columns += [
-        Column(
+        doc.Column(
             f"Q_{race[0]},{ball}",
             solved.contacts[race].load[:, ball].tolist(),
             f"ball_{ball}_{race}_load",
@@ -323,7 +313,7 @@ def _instants(turn: CageTurn) -> Table:
         for race in RACES
         for ball in range(solved.inner.load.shape[1])
     ]
-    return Table(tuple(columns), "instants", only_in_files=True)
+    return doc.Table(tuple(columns), "instants", only_in_files=True)
 
 
 def _stiffness_unit(row: int, column: int) -> str:

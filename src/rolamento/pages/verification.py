@@ -9,17 +9,7 @@ from itertools import groupby
 from math import floor, isfinite, log10
 from typing import Final
 
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
+from rolamento import document as doc
 from rolamento.verification import (
     VERDICTS,
     Check,
@@ -35,7 +25,7 @@ __all__ = ["COMMAND", "summary", "verification_page"]
 COMMAND: Final = "rolamento verify --markdown docs/verification.md"
 """What writes the page of the documentation."""
 
-_TONES: Final[Mapping[CheckVerdict, Tone]] = {
+_TONES: Final[Mapping[CheckVerdict, doc.Tone]] = {
     "agrees": "good",
     "explained": "warning",
     "fails": "bad-strong",
@@ -89,7 +79,7 @@ first."""
 _TERM: Final = re.compile("|".join(map(re.escape, _TERMS)))
 
 
-def verification_page(found: Verification, *, introduction: bool = False) -> Document:
+def verification_page(found: Verification, *, introduction: bool = False) -> doc.Document:
     """Return the page of a verification.
 
     Parameters
@@ -103,10 +93,12 @@ def verification_page(found: Verification, *, introduction: bool = False) -> Doc
     sections = [_introduction(title), _held_out()] if introduction else []
     for result in found.results:
         sections += _of_source(result)
-    sections.append(Section(blocks=(Statement(_proof_note(), "faint"),), key="proof"))
+    sections.append(doc.Section(blocks=(doc.Statement(_proof_note(), "faint"),), key="proof"))
     mark, tone = ("✓", _TONES["agrees"]) if found.passed else ("✗", _TONES["fails"])
-    sections.append(Section(blocks=(Statement(summary(found), tone, mark=mark),), key="summary"))
-    return Document(title, tuple(sections), "verify")
+    sections.append(
+        doc.Section(blocks=(doc.Statement(summary(found), tone, mark=mark),), key="summary")
+    )
+    return doc.Document(title, tuple(sections), "verify")
 
 
 def summary(found: Verification) -> str:
@@ -124,7 +116,7 @@ def term(text: str) -> str:
     return _TERM.sub(lambda match: said(match[0]), text)
 
 
-def _introduction(title: str) -> Section:
+def _introduction(title: str) -> doc.Section:
     text = said(
         "Published numbers beside those that this program gives. This page is written by"
         " {command}; rolamento verify prints the same in a terminal, with exit code 1 if a number"
@@ -138,10 +130,10 @@ def _introduction(title: str) -> Section:
         " tolerance; it is explained if it is not, but the explanation has been tested; otherwise"
         " it fails."
     )
-    return Section(blocks=(Title(title), Statement(text), Statement(meaning)))
+    return doc.Section(blocks=(doc.Title(title), doc.Statement(text), doc.Statement(meaning)))
 
 
-def _held_out() -> Section:
+def _held_out() -> doc.Section:
     """What took no part in the development."""
     text = said(
         "What was kept back while the program was written, and tried on it afterwards (version"
@@ -149,13 +141,13 @@ def _held_out() -> Section:
     )
     tried = held_out()
     columns = (
-        Column(said("held out"), [one.what.text for one in tried], "held_out"),
-        Column(said("tried"), [one.of for one in tried], "tried"),
-        Column(said("hold"), [one.hold for one in tried], "hold"),
-        Column(said("within"), [one.within or None for one in tried], "within", align="right"),
+        doc.Column(said("held out"), [one.what.text for one in tried], "held_out"),
+        doc.Column(said("tried"), [one.of for one in tried], "tried"),
+        doc.Column(said("hold"), [one.hold for one in tried], "hold"),
+        doc.Column(said("within"), [one.within or None for one in tried], "within", align="right"),
     )
-    table = Table(columns, "held_out")
-    return Section(said("Held out"), (Statement(text), table), "held_out", 1)
+    table = doc.Table(columns, "held_out")
+    return doc.Section(said("Held out"), (doc.Statement(text), table), "held_out", 1)
 
 
 def _proof_note() -> str:
@@ -166,19 +158,19 @@ def _proof_note() -> str:
     )
 
 
-def _of_source(result: SourceResult) -> Iterator[Section]:
-    yield Section(result.title, key=result.name, level=1)
+def _of_source(result: SourceResult) -> Iterator[doc.Section]:
+    yield doc.Section(result.title, key=result.name, level=1)
     for place, (source, group) in enumerate(groupby(result.checks, lambda check: check.source)):
         key = f"{result.name}_{place + 1}"
-        yield Section(term(source), (_table(list(group), key),), key)
+        yield doc.Section(term(source), (_table(list(group), key),), key)
 
 
-def _table(checks: Sequence[Check], key: str) -> Table:
+def _table(checks: Sequence[Check], key: str) -> doc.Table:
     """Return one table with its notes; the column of proofs only where there is one."""
     notes = list(dict.fromkeys(one.explanation for one in checks if one.explanation))
     mark = manner().mark
     columns = [
-        Column(
+        doc.Column(
             said("quantity"), [_quantity(check).replace(".", mark) for check in checks], "quantity"
         ),
         _numbers(said("printed"), "printed", checks, _printed),
@@ -192,7 +184,7 @@ def _table(checks: Sequence[Check], key: str) -> Table:
     if any(one.corrected or one.evidence is not None for one in checks):
         columns.append(_numbers(said("proof"), "proof", checks, _proof))
     columns.append(
-        Column(
+        doc.Column(
             said("verdict"),
             [
                 f"{said(_VERDICTS[one.verdict])} [{notes.index(one.explanation) + 1}]"
@@ -205,7 +197,7 @@ def _table(checks: Sequence[Check], key: str) -> Table:
         )
     )
     legends = tuple(f"[{place}] {note.text}" for place, note in enumerate(notes, start=1))
-    return Table(tuple(columns), key, legends=legends)
+    return doc.Table(tuple(columns), key, legends=legends)
 
 
 def _quantity(check: Check) -> str:
@@ -217,10 +209,10 @@ def _quantity(check: Check) -> str:
 
 
 def _numbers(
-    head: str, key: str, checks: Sequence[Check], cell: Callable[[Check], CellContent]
-) -> Column:
+    head: str, key: str, checks: Sequence[Check], cell: Callable[[Check], doc.CellContent]
+) -> doc.Column:
     values = [cell(check) for check in checks]
-    return Column(head, values, key, align="right")
+    return doc.Column(head, values, key, align="right")
 
 
 def _places(printed: str) -> tuple[int, int]:
@@ -229,48 +221,48 @@ def _places(printed: str) -> tuple[int, int]:
     return len(mantissa.partition(".")[2]), int(exponent or 0)
 
 
-def _printed(check: Check) -> CellContent:
+def _printed(check: Check) -> doc.CellContent:
     decimals, power = _places(check.printed)
     return _number(float(check.printed), decimals, power)
 
 
-def _computed(check: Check) -> CellContent:
+def _computed(check: Check) -> doc.CellContent:
     return _like_print(check, check.computed)
 
 
-def _like_print(check: Check, value: float) -> CellContent:
+def _like_print(check: Check, value: float) -> doc.CellContent:
     decimals, power = _places(check.printed)
     return _number(value, decimals + 1, power)
 
 
-def _proof(check: Check) -> CellContent:
+def _proof(check: Check) -> doc.CellContent:
     if check.corrected:
         return _number(float(check.corrected), *_places(check.corrected))
     return None if check.evidence is None else _like_print(check, check.evidence)
 
 
-def _number(value: float, decimals: int, power: int) -> CellContent:
+def _number(value: float, decimals: int, power: int) -> doc.CellContent:
     if not isfinite(value):
         return ABSENT
     if not power:
-        return Number(value, f".{decimals}f")
+        return doc.Number(value, f".{decimals}f")
     return f"{manner().fixed(value / 10.0**power, decimals)}e{power}"
 
 
-def _difference(check: Check) -> CellContent:
+def _difference(check: Check) -> doc.CellContent:
     decimals, power = _places(check.printed)
     decimals = max(decimals + 1 - power, 0)
     value = check.difference
     if not isfinite(value):
         return ABSENT
     sign = "+" if round(value, decimals) > 0.0 else ""
-    return Number(value, f"{sign}.{decimals}f")
+    return doc.Number(value, f"{sign}.{decimals}f")
 
 
-def _tolerance(check: Check) -> Number:
+def _tolerance(check: Check) -> doc.Number:
     """Return a tolerance with two significant digits at most, never as a power of ten."""
     value = check.tolerance
     if value == 0.0:
-        return Number(value, ".0f")
+        return doc.Number(value, ".0f")
     decimals = max(1 - floor(log10(value)), 0)
-    return Number(value, f".{len(f'{value:.{decimals}f}'.rstrip('0').partition('.')[2])}f")
+    return doc.Number(value, f".{len(f'{value:.{decimals}f}'.rstrip('0').partition('.')[2])}f")

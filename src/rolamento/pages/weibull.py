@@ -9,23 +9,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Beside,
-    Block,
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    Figure,
-    KeyValues,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-    Tone,
-)
 from rolamento.pages.lives import alike, brief, life_name, percent, written
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.weibull import (
@@ -127,7 +112,7 @@ _VERDICTS: Final[Mapping[str, str]] = {
 }
 
 
-def weibull_page(found: LifeTestSummary) -> Document:
+def weibull_page(found: LifeTestSummary) -> doc.Document:
     """Return the page of a life test; times are in the unit of the data.
 
     Parameters
@@ -138,17 +123,17 @@ def weibull_page(found: LifeTestSummary) -> Document:
     title = one_line(found.test.title) or said("Life test")
     alone = len(found.groups) == 1
     level, notes = 2 if alone else 1, _notes(found)
-    parts: list[Section | Beside] = [_head(found, title), *cautions_section(notes, level)]
+    parts: list[doc.Section | doc.Beside] = [_head(found, title), *cautions_section(notes, level)]
     parts += _whole(found)
     for group in found.groups:
         parts += _parts_of_group(found, group, alone=alone)
     parts += _comparison(found)
     parts += _pictures(found)
     parts += notes_section(remarks_of(notes), level)
-    return Document(title, tuple(parts), "weibull")
+    return doc.Document(title, tuple(parts), "weibull")
 
 
-def _head(found: LifeTestSummary, title: str) -> Section:
+def _head(found: LifeTestSummary, title: str) -> doc.Section:
     test, groups = found.test, found.groups
     facts = [_sizes(test)]
     if found.system is not None:
@@ -161,12 +146,12 @@ def _head(found: LifeTestSummary, title: str) -> Section:
     facts.append(said("{first} to {last} {unit}", first=first, last=last, unit=test.unit))
     scheme = "" if len(groups) > 1 else said(SCHEMES[test.scheme])
     entries = (
-        Entry(said("data"), "; ".join(facts)),
-        Entry("", scheme),
-        Entry(said("source"), one_line(test.source)),
+        doc.Entry(said("data"), "; ".join(facts)),
+        doc.Entry("", scheme),
+        doc.Entry(said("source"), one_line(test.source)),
     )
     shown = tuple(entry for entry in entries if entry.content)
-    return Section(blocks=(Title(title), KeyValues(shown)), key="head")
+    return doc.Section(blocks=(doc.Title(title), doc.KeyValues(shown)), key="head")
 
 
 def _sizes(test: LifeTest) -> str:
@@ -191,18 +176,18 @@ def _sizes_of_mode(test: LifeTest) -> str:
 
 def _parts_of_group(
     found: LifeTestSummary, group: GroupSummary, *, alone: bool
-) -> list[Section | Beside]:
+) -> list[doc.Section | doc.Beside]:
     """Say what one group or mode says: in sentences, then in tables."""
     name, wanted = one_line(group.name), found.request
-    blocks: list[Block] = list(_statements(group, wanted))
+    blocks: list[doc.Block] = list(_statements(group, wanted))
     heading = ""
     if found.system is not None:
         heading = f"{name}: {_sizes_of_mode(group.test)}"
     elif not alone:
         heading = f"{name}: {_sizes(group.test)}"
-        blocks.insert(0, Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2))
+        blocks.insert(0, doc.Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2))
     tables = [
-        Section(
+        doc.Section(
             heading, (table if alone else replace(table, caption=f"{name}: {heading}"),), table.key
         )
         for heading, table in (
@@ -214,14 +199,14 @@ def _parts_of_group(
             *_table_of_models(group),
         )
     ]
-    parts: list[Section | Beside] = [Section(heading, tuple(blocks), "group", 1)]
+    parts: list[doc.Section | doc.Beside] = [doc.Section(heading, tuple(blocks), "group", 1)]
     if [table.key for table in tables[:2]] == ["fits", "bounds"]:
-        parts.append(Beside((tables[0],), (tables[1],), key="fits_and_bounds"))
+        parts.append(doc.Beside((tables[0],), (tables[1],), key="fits_and_bounds"))
         tables = tables[2:]
     return [*parts, *tables]
 
 
-_Headed = tuple[tuple[str, Table], ...]
+_Headed = tuple[tuple[str, doc.Table], ...]
 """A table with its heading, or none."""
 
 
@@ -234,7 +219,7 @@ def _table_of_fits(group: GroupSummary) -> _Headed:
     fits = [fit for fit in group.fits if fit.converged]
     if not fits:
         return ()
-    tones: list[Tone] = ["strong" if fit is group.main else "" for fit in fits]
+    tones: list[doc.Tone] = ["strong" if fit is group.main else "" for fit in fits]
     heads = {
         "shape": said("shape β"),
         "scale": said("scale η"),
@@ -243,10 +228,10 @@ def _table_of_fits(group: GroupSummary) -> _Headed:
         "mean": said("mean"),
     }
     columns = [
-        Column(head, alike([getattr(fit, name) for fit in fits]), name, tones=tones)
+        doc.Column(head, alike([getattr(fit, name) for fit in fits]), name, tones=tones)
         for name, head in heads.items()
     ]
-    names = Column(said("method"), [said(FITS[f.method]) for f in fits], "method", tones=tones)
+    names = doc.Column(said("method"), [said(FITS[f.method]) for f in fits], "method", tones=tones)
     legends = tuple(
         said(
             "failure-free time {location} {unit}; the scale is counted from there",
@@ -256,7 +241,7 @@ def _table_of_fits(group: GroupSummary) -> _Headed:
         for fit in fits
         if fit.location > 0.0
     )
-    table = Table((names, *columns), "fits", legends=legends)
+    table = doc.Table((names, *columns), "fits", legends=legends)
     return ((said("Weibull fit (lives in {unit})", unit=unit), table),)
 
 
@@ -274,14 +259,14 @@ def _table_of_bounds(group: GroupSummary) -> _Headed:
     columns = [_names(quantities, unit)]
     heads = {"estimate": said("estimate"), **_limit_heads(first)}
     columns += [
-        Column(head, column, key, align="right")
+        doc.Column(head, column, key, align="right")
         for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
     ]
     if first.sides == "two":
-        columns.append(Column(said("ratio"), ratios, "ratio", align="right"))
+        columns.append(doc.Column(said("ratio"), ratios, "ratio", align="right"))
     heading = _bounds_heading(first.sides, first.confidence)
     legend = _bounded_by(group)
-    return ((heading, Table(tuple(columns), "bounds", legends=(legend,))),)
+    return ((heading, doc.Table(tuple(columns), "bounds", legends=(legend,))),)
 
 
 def _bounds_heading(sides: Sides, confidence: float) -> str:
@@ -332,21 +317,21 @@ def _at_assumed_shapes(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
     """One line a shape: bounds on every life and reliability."""
     if not group.assumed:
         return ()
-    shapes = [Number(assumed.shape, ".3") for assumed in group.assumed]
-    columns = [Column(said("shape β"), shapes, "shape", align="left")]
+    shapes = [doc.Number(assumed.shape, ".3") for assumed in group.assumed]
+    columns = [doc.Column(said("shape β"), shapes, "shape", align="left")]
     for place, bound in enumerate(group.assumed[0].bounds):
         quantity = Estimand.of(bound.quantity)
         of_share = quantity.kind == "reliability"
         for name, head in _limit_heads(bound).items():
             limits = [getattr(assumed.bounds[place], name) for assumed in group.assumed]
-            values: list[CellContent] = [
-                Number(limit, ".4 [%]" if of_share else ".4", before=f"{head} ")
+            values: list[doc.CellContent] = [
+                doc.Number(limit, ".4 [%]" if of_share else ".4", before=f"{head} ")
                 if isfinite(limit)
                 else f"{head} {written(brief(limit))}"
                 for limit in limits
             ]
             columns.append(
-                Column(
+                doc.Column(
                     "" if name == "upper" else _name_with_unit(quantity, group.test.unit),
                     values,
                     f"{bound.quantity}_{name}",
@@ -356,7 +341,7 @@ def _at_assumed_shapes(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
     heading = said(
         "For an assumed shape ({bounds})", bounds=_bounds_heading(*wanted.bounds_of(group.test))
     )
-    return ((heading, Table(tuple(columns), "assumed_shapes")),)
+    return ((heading, doc.Table(tuple(columns), "assumed_shapes")),)
 
 
 def _table_of_models(group: GroupSummary) -> _Headed:
@@ -367,11 +352,11 @@ def _table_of_models(group: GroupSummary) -> _Headed:
     models.sort(key=lambda one: one.aicc if isfinite(one.aicc) else 1e300 - one.log_likelihood)
     unit = one_line(group.test.unit)
     columns = (
-        Column(said("distribution"), [said(MODELS[one.name]) for one in models], "model"),
-        Column(said("parameters"), [len(m.parameters) for m in models], "parameters"),
-        Column("ln ℓ", [m.log_likelihood for m in models], "log_likelihood", form=".2f"),
-        Column("AICc", [m.aicc for m in models], "aicc", form=".1f"),
-        Column(f"L10 {unit}", alike([m.l10 for m in models]), "l10"),
+        doc.Column(said("distribution"), [said(MODELS[one.name]) for one in models], "model"),
+        doc.Column(said("parameters"), [len(m.parameters) for m in models], "parameters"),
+        doc.Column("ln ℓ", [m.log_likelihood for m in models], "log_likelihood", form=".2f"),
+        doc.Column("AICc", [m.aicc for m in models], "aicc", form=".1f"),
+        doc.Column(f"L10 {unit}", alike([m.l10 for m in models]), "l10"),
     )
     legends = (
         said(
@@ -380,7 +365,7 @@ def _table_of_models(group: GroupSummary) -> _Headed:
         ),
         *(_described(model, unit) for model in models if model.name in _TRY),
     )
-    table = Table(columns, "models", legends=legends)
+    table = doc.Table(columns, "models", legends=legends)
     return ((said("Other distributions"), table),)
 
 
@@ -410,28 +395,28 @@ def _described(model: LifeModel, unit: str) -> str:
 # --- failure modes together ------------------------------------------------------------------
 
 
-def _whole(found: LifeTestSummary) -> list[Section | Beside]:
+def _whole(found: LifeTestSummary) -> list[doc.Section | doc.Beside]:
     """Say what comes of all modes together; nothing where modes are not distinguished."""
     system, wanted = found.system, found.request
     if system is None:
         return []
     unit = one_line(found.test.unit)
-    blocks: list[Block] = []
+    blocks: list[doc.Block] = []
     if system.advice is not None:
         text = said("All modes together: no result. {advice}", advice=system.advice.text)
-        blocks.append(Statement(text, indent=2, mark="✗", mark_tone="bad"))
+        blocks.append(doc.Statement(text, indent=2, mark="✗", mark_tone="bad"))
     lives = [_life_sentence(bound, wanted, unit, said("All modes together:") + " ")
              for bound in system.bounds[:1] if bound.converged]  # fmt: skip
     blocks += _bullets([text for text in lives if text])
-    sections: list[Section | Beside] = [
-        Section(said("Failure modes"), (*blocks, _table_of_modes(found)), "modes", 1)
+    sections: list[doc.Section | doc.Beside] = [
+        doc.Section(said("Failure modes"), (*blocks, _table_of_modes(found)), "modes", 1)
     ]
     if system.bounds:
         sections.append(_table_of_system(found))
     return sections
 
 
-def _table_of_modes(found: LifeTestSummary) -> Table:
+def _table_of_modes(found: LifeTestSummary) -> doc.Table:
     system = found.system
     assert system is not None
     life, unit = found.request.lives[0], one_line(found.test.unit)
@@ -444,20 +429,22 @@ def _table_of_modes(found: LifeTestSummary) -> Table:
     }
     tests = [group.goodness for group in found.groups]
     columns = [
-        Column(said("mode"), [shortened(one_line(one.name), 24) for one in system.modes], "mode"),
-        Column(said("failures"), [fit.failures for fit in fits], "failures"),
-        Column(said("shape β"), alike([fit.shape for fit in fits]), "shape"),
-        Column(said("scale η"), alike([fit.scale for fit in fits]), "scale"),
-        Column(
+        doc.Column(
+            said("mode"), [shortened(one_line(one.name), 24) for one in system.modes], "mode"
+        ),
+        doc.Column(said("failures"), [fit.failures for fit in fits], "failures"),
+        doc.Column(said("shape β"), alike([fit.shape for fit in fits]), "shape"),
+        doc.Column(said("scale η"), alike([fit.scale for fit in fits]), "scale"),
+        doc.Column(
             f"{life_name(life)} {unit}",
             alike([float(fit.life_at(life.value)) for fit in fits]),
             "life",
         ),
-        *(Column(head, limits[key], key, align="right") for key, head in heads.items()),
-        Column(
+        *(doc.Column(head, limits[key], key, align="right") for key, head in heads.items()),
+        doc.Column(
             said("fit p"), [_p_cell(one.p_value) for one in tests], "goodness_of_fit", align="right"
         ),
-        Column(
+        doc.Column(
             said("hazard"),
             [one.hazard_share for one in system.modes],
             "hazard_share",
@@ -484,10 +471,10 @@ def _table_of_modes(found: LifeTestSummary) -> Table:
         for one in system.modes
         if one.earliest is not None and one.earliest.converged
     ]
-    return Table(tuple(columns), "modes", legends=tuple(legends))
+    return doc.Table(tuple(columns), "modes", legends=tuple(legends))
 
 
-def _table_of_system(found: LifeTestSummary) -> Section:
+def _table_of_system(found: LifeTestSummary) -> doc.Section:
     """Lives of the bearing as a whole, beside those of one distribution for all failures."""
     system = found.system
     assert system is not None
@@ -502,7 +489,7 @@ def _table_of_system(found: LifeTestSummary) -> Section:
     columns = (
         _names(quantities, unit),
         *(
-            Column(head, column, key, align="right")
+            doc.Column(head, column, key, align="right")
             for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
     )
@@ -520,11 +507,11 @@ def _table_of_system(found: LifeTestSummary) -> Section:
         "All modes together ({bounds})",
         bounds=_bounds_heading(bounds[0].sides, bounds[0].confidence),
     )
-    return Section(heading, (Table(columns, "system", legends=legends),), "system")
+    return doc.Section(heading, (doc.Table(columns, "system", legends=legends),), "system")
 
 
-def _warning(text: str) -> Statement:
-    return Statement(text, "warning", indent=2, mark="!", mark_tone="warning")
+def _warning(text: str) -> doc.Statement:
+    return doc.Statement(text, "warning", indent=2, mark="!", mark_tone="warning")
 
 
 def _table_of_posterior(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
@@ -552,11 +539,11 @@ def _table_of_posterior(group: GroupSummary, wanted: LifeTestRequest) -> _Headed
     columns = (
         _names(quantities, group.test.unit),
         *(
-            Column(head, column, key, align="right")
+            doc.Column(head, column, key, align="right")
             for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
         ),
     )
-    return ((heading, Table(columns, "posterior")),)
+    return ((heading, doc.Table(columns, "posterior")),)
 
 
 def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
@@ -565,18 +552,18 @@ def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Heade
         return ()
     heads = {"ratio": said("observed/calculated"), "lower": said("from"), "upper": said("to")}
     columns = (
-        Column("", [shortened(one_line(name), _LONGEST_NAME) for name in found], "name"),
-        Column(
+        doc.Column("", [shortened(one_line(name), _LONGEST_NAME) for name in found], "name"),
+        doc.Column(
             shortened(one_line(group.test.unit), _LONGEST_UNIT),
             [brief(one.calculated) for one in found.values()],
             "calculated",
         ),
         *(
-            Column(head, [brief(getattr(one, key), 3) for one in found.values()], key)
+            doc.Column(head, [brief(getattr(one, key), 3) for one in found.values()], key)
             for key, head in heads.items()
         ),
-        Column("p", [_p_cell(one.p_value) for one in found.values()], "p_value"),
-        Column(
+        doc.Column("p", [_p_cell(one.p_value) for one in found.values()], "p_value"),
+        doc.Column(
             said("contradicted"),
             [
                 said(_VERDICTS[one.bearings_live]) if one.code == "converged" else ABSENT
@@ -594,20 +581,20 @@ def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Heade
         "p: probability of a test result at least this far from the calculated life, if that life"
         " is true."
     )
-    return ((heading, Table(columns, "calculated", legends=(legend,))),)
+    return ((heading, doc.Table(columns, "calculated", legends=(legend,))),)
 
 
 # --- sentences -------------------------------------------------------------------------------
 
 
-def _statements(group: GroupSummary, wanted: LifeTestRequest) -> list[Statement]:
+def _statements(group: GroupSummary, wanted: LifeTestRequest) -> list[doc.Statement]:
     """Say in sentences what one group says."""
     lines = [_warning(note.text) for note in group.goodness.contradictions(group.test.unit)]
     lines += [_warning(text) for text in _of_the_models(group)]
     advice = group.main.advice
     if not group.bounded and advice is not None:
         text = said("No result. {advice}", advice=advice.text)
-        lines.append(Statement(text, indent=2, mark="✗", mark_tone="bad"))
+        lines.append(doc.Statement(text, indent=2, mark="✗", mark_tone="bad"))
     sentences = _of_the_life(group, wanted)
     if wanted.shape is None:
         sentences += _of_the_shape(group)
@@ -666,8 +653,8 @@ def _of_the_models(group: GroupSummary) -> list[str]:
     ]
 
 
-def _bullets(sentences: Sequence[str]) -> list[Statement]:
-    return [Statement(text, indent=2, mark="•", mark_tone="good") for text in sentences]
+def _bullets(sentences: Sequence[str]) -> list[doc.Statement]:
+    return [doc.Statement(text, indent=2, mark="•", mark_tone="good") for text in sentences]
 
 
 def _of_the_life(group: GroupSummary, wanted: LifeTestRequest) -> list[str]:
@@ -759,21 +746,21 @@ def _of_the_calculation(group: GroupSummary) -> list[str]:
     return sentences
 
 
-def _comparison(found: LifeTestSummary) -> list[Section | Beside]:
+def _comparison(found: LifeTestSummary) -> list[doc.Section | doc.Beside]:
     """Show whether the groups differ, and by how much."""
     if not found.comparisons:
         return []
     judged = [one for one in found.comparisons if one.converged]
     sentences = _sentence_of_difference(judged, found.request.confidence)
     sentences += [_sentence_of_ratio(ratio) for ratio in found.ratios]
-    blocks: list[Block] = [*_bullets(sentences)]
+    blocks: list[doc.Block] = [*_bullets(sentences)]
     if judged:
         columns = (
-            Column("", [said(HYPOTHESES[o.hypothesis]) for o in judged], "hypothesis"),
-            Column("p", [_p_cell(o.p_value) for o in judged], "p_value", align="right"),
+            doc.Column("", [said(HYPOTHESES[o.hypothesis]) for o in judged], "hypothesis"),
+            doc.Column("p", [_p_cell(o.p_value) for o in judged], "p_value", align="right"),
         )
-        blocks.append(Table(columns, "comparisons"))
-    return [Section(said("Comparison of the groups"), tuple(blocks), "comparison", 1)]
+        blocks.append(doc.Table(columns, "comparisons"))
+    return [doc.Section(said("Comparison of the groups"), tuple(blocks), "comparison", 1)]
 
 
 def _sentence_of_difference(judged: Sequence[Comparison], confidence: float) -> list[str]:
@@ -843,13 +830,13 @@ def _notes(found: LifeTestSummary) -> dict[Note, None]:
 # --- pictures --------------------------------------------------------------------------------
 
 
-def _pictures(found: LifeTestSummary) -> list[Section | Beside]:
+def _pictures(found: LifeTestSummary) -> list[doc.Section | doc.Beside]:
     """Weibull paper, and the regions of equal likelihood where there is a fit."""
     if not found.has_result:
         return []
     caption = said("Weibull probability plot: failures, fitted lines and their bounds")
     figures = [
-        Figure(caption, lambda: plots.weibull_figure(found, bands_of(found)), "weibull_paper")
+        doc.Figure(caption, lambda: plots.weibull_figure(found, bands_of(found)), "weibull_paper")
     ]
     if any(group.main.converged and found.request.shape is None for group in found.groups):
         caption = said(
@@ -857,27 +844,27 @@ def _pictures(found: LifeTestSummary) -> list[Section | Beside]:
             quantity=life_name(found.request.lives[0]),
         )
         figures.append(
-            Figure(
+            doc.Figure(
                 caption,
                 lambda: plots.contour_figure(found, regions_of(found, found.request.lives[0].name)),
                 "likelihood_regions",
             )
         )
-    return [Section(blocks=tuple(figures), key="figures")]
+    return [doc.Section(blocks=tuple(figures), key="figures")]
 
 
 # --- names and numbers -----------------------------------------------------------------------
 
 
-def _p_cell(p: float) -> Number | str:
+def _p_cell(p: float) -> doc.Number | str:
     """Return a p-value; the smallest only as being small."""
     if isfinite(p) and p < _LEAST_P:
         return f"< {manner().short(_LEAST_P, 1)}"
-    return Number(p, ".2")
+    return doc.Number(p, ".2")
 
 
-def _names(quantities: Sequence[Estimand], unit: str) -> Column:
-    return Column("", [_name_with_unit(quantity, unit) for quantity in quantities], "quantity")
+def _names(quantities: Sequence[Estimand], unit: str) -> doc.Column:
+    return doc.Column("", [_name_with_unit(quantity, unit) for quantity in quantities], "quantity")
 
 
 def _name_with_unit(quantity: Estimand, unit: str) -> str:

@@ -6,19 +6,8 @@ from collections.abc import Sequence
 from math import isclose, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import document as doc
 from rolamento import plots
-from rolamento.document import (
-    Block,
-    Break,
-    CellContent,
-    Column,
-    Document,
-    Number,
-    Section,
-    Statement,
-    Table,
-    Title,
-)
 from rolamento.pages.given import picture
 from rolamento.pages.lives import FIGURES, life_name, percent
 from rolamento.weibull import Demonstration, Estimand, LifeTestPlan
@@ -36,7 +25,7 @@ _FAIR: Final = 0.9
 # --- demonstration ---------------------------------------------------------------------------
 
 
-def demonstration_page(found: DemonstrationStudy) -> Document:
+def demonstration_page(found: DemonstrationStudy) -> doc.Document:
     """Return the page of a planned demonstration; times are in the unit of the life.
 
     Parameters
@@ -55,8 +44,8 @@ def demonstration_page(found: DemonstrationStudy) -> Document:
     )
     shape = said("shape {shape:.4}, assumed from experience", shape=plan.shape)
     sections = [
-        Section(blocks=(Title(title), Statement(shape, "faint", indent=2)), key="head"),
-        Section(blocks=_what_is_tested(plan, quantity, unit), key="test"),
+        doc.Section(blocks=(doc.Title(title), doc.Statement(shape, "faint", indent=2)), key="head"),
+        doc.Section(blocks=_what_is_tested(plan, quantity, unit), key="test"),
     ]
     if plan.planned:
         sections.append(_chances(found))
@@ -74,10 +63,10 @@ def demonstration_page(found: DemonstrationStudy) -> Document:
                 "",
             )
         )
-    return Document(title, tuple(sections), "weibull-plan")
+    return doc.Document(title, tuple(sections), "weibull-plan")
 
 
-def _what_is_tested(plan: Demonstration, quantity: str, unit: str) -> tuple[Statement, ...]:
+def _what_is_tested(plan: Demonstration, quantity: str, unit: str) -> tuple[doc.Statement, ...]:
     """Say in sentences what the test is, and what may be expected of it."""
     if plan.advice is not None:
         return (_no_plan(plan.advice),)
@@ -135,69 +124,73 @@ def _as_long(plan: Demonstration) -> bool:
     return isclose(plan.time, plan.life, rel_tol=1e-9)
 
 
-def _bullets(sentences: Sequence[str]) -> tuple[Statement, ...]:
-    return tuple(Statement(text, indent=2, mark="•", mark_tone="good") for text in sentences)
+def _bullets(sentences: Sequence[str]) -> tuple[doc.Statement, ...]:
+    return tuple(doc.Statement(text, indent=2, mark="•", mark_tone="good") for text in sentences)
 
 
-def _no_plan(advice: Note) -> Statement:
-    return Statement(advice.text, indent=2, mark="✗", mark_tone="bad")
+def _no_plan(advice: Note) -> doc.Statement:
+    return doc.Statement(advice.text, indent=2, mark="✗", mark_tone="bad")
 
 
-def _chances(found: DemonstrationStudy) -> Section:
+def _chances(found: DemonstrationStudy) -> doc.Section:
     ratios, chances, ends = zip(*found.chances, strict=True)
     unit = one_line(found.unit)
     columns = (
-        Column(
-            said("true life/required life"), [Number(ratio, ".2") for ratio in ratios], "life_ratio"
+        doc.Column(
+            said("true life/required life"),
+            [doc.Number(ratio, ".2") for ratio in ratios],
+            "life_ratio",
         ),
-        Column(
+        doc.Column(
             said("passes %"), [_probability_cell(one) for one in chances], "chance", align="right"
         ),
-        Column(
+        doc.Column(
             said("ends after {unit}", unit=unit),
-            [Number(end, ".3") for end in ends],
+            [doc.Number(end, ".3") for end in ends],
             "expected_time",
         ),
     )
-    return Section(said("Probability of passing"), (Table(columns, "chances"),))
+    return doc.Section(said("Probability of passing"), (doc.Table(columns, "chances"),))
 
 
-def _shapes(found: DemonstrationStudy) -> Section:
+def _shapes(found: DemonstrationStudy) -> doc.Section:
     shapes, confidences = zip(*found.confidences, strict=True)
     columns = (
-        Column(said("shape"), [Number(shape, ".2") for shape in shapes], "shape"),
-        Column(
+        doc.Column(said("shape"), [doc.Number(shape, ".2") for shape in shapes], "shape"),
+        doc.Column(
             said("confidence %"),
             [_probability_cell(one) for one in confidences],
             "confidence",
             align="right",
         ),
     )
-    return Section(said("If the shape is different"), (Table(columns, "shapes"),))
+    return doc.Section(said("If the shape is different"), (doc.Table(columns, "shapes"),))
 
 
-def _trade(others: Sequence[Demonstration], unit: str) -> Section:
+def _trade(others: Sequence[Demonstration], unit: str) -> doc.Section:
     """One line a number of bearings: the time of each, by the failures allowed."""
     allowed = sorted({other.failures_allowed for other in others})
     by_place = {(other.bearings, other.failures_allowed): other.time for other in others}
     bearings = sorted({other.bearings for other in others})
-    columns = [Column(said("bearings"), bearings, "bearings")]
+    columns = [doc.Column(said("bearings"), bearings, "bearings")]
     for count in allowed:
         head = counted("{n} failure", "{n} failures", count) if count else said("no failures")
         times = [by_place.get((one, count), nan) for one in bearings]
-        columns.append(Column(head, [_time(time) for time in times], f"time_{count}_failures"))
+        columns.append(doc.Column(head, [_time(time) for time in times], f"time_{count}_failures"))
     totals = [one * by_place.get((one, allowed[0]), nan) for one in bearings]
-    columns.append(Column(said("total, no failures"), [_time(one) for one in totals], "total_time"))
+    columns.append(
+        doc.Column(said("total, no failures"), [_time(one) for one in totals], "total_time")
+    )
     heading = said(
         "Equivalent tests: time of each bearing ({unit}), by failures allowed", unit=unit
     )
-    return Section(heading, (Table(tuple(columns), "alternatives"),), "alternatives")
+    return doc.Section(heading, (doc.Table(tuple(columns), "alternatives"),), "alternatives")
 
 
 # --- precision -------------------------------------------------------------------------------
 
 
-def precision_page(found: PrecisionStudy) -> Document:
+def precision_page(found: PrecisionStudy) -> doc.Document:
     """Return the page of tests that determine a life to a precision; times in its unit.
 
     Parameters
@@ -224,25 +217,28 @@ def precision_page(found: PrecisionStudy) -> Document:
             )
         )
     title = said("Precision of {quantity} from a life test", quantity=quantity)
-    head: list[Block] = [Title(title), *(Statement(text, "faint", indent=2) for text in given)]
+    head: list[doc.Block] = [
+        doc.Title(title),
+        *(doc.Statement(text, "faint", indent=2) for text in given),
+    ]
     unit = unit or quantity  # without a unit times are multiples of the life
     sections = [
-        Section(blocks=tuple(head), key="head"),
-        Section(blocks=_what_it_takes(plans, quantity, unit), key="test"),
+        doc.Section(blocks=tuple(head), key="head"),
+        doc.Section(blocks=_what_it_takes(plans, quantity, unit), key="test"),
     ]
     if found.planned:
         heading = said("Tests") if ratio is None else said("Tests of equal precision")
-        sections.append(Section(heading, (_table_of_plans(plans, unit),), "plans"))
+        sections.append(doc.Section(heading, (_table_of_plans(plans, unit),), "plans"))
         caption = said("Duration of the tests and the bearings they need")
         sections.append(
             picture(caption, lambda: plots.cost_figure(plans, found.time_label), "cost", "")
         )
-    return Document(title, tuple(sections), "weibull-plan")
+    return doc.Document(title, tuple(sections), "weibull-plan")
 
 
 def _what_it_takes(
     plans: Sequence[LifeTestPlan], quantity: str, unit: str
-) -> tuple[Statement, ...]:
+) -> tuple[doc.Statement, ...]:
     planned = [plan for plan in plans if plan.planned]
     if not planned:
         advice = plans[0].advice
@@ -290,7 +286,7 @@ def _mean_end(plan: LifeTestPlan) -> float:
     return float("inf") if plan.duration is None else plan.duration.mean
 
 
-def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
+def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> doc.Table:
     """One line a test: in one table where it is wide enough, else in two."""
     counts = {"bearings": said("bearings"), "groups": said("rigs"), "failures": said("failures")}
     ratios = {
@@ -298,9 +294,9 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
         "ratio_rarely_exceeded": said("1 in 10"),
         "shape_ratio": said("shape"),
     }
-    columns = [Column("", [_kind(plan) for plan in plans], "test")]
+    columns = [doc.Column("", [_kind(plan) for plan in plans], "test")]
     columns += [
-        Column(
+        doc.Column(
             head,
             [getattr(plan, key) if plan.planned else ABSENT for plan in plans],
             key,
@@ -309,7 +305,7 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
         for key, head in counts.items()
     ]
     columns += [
-        Column(head, [getattr(plan, key) for plan in plans], key, figures=3)
+        doc.Column(head, [getattr(plan, key) for plan in plans], key, figures=3)
         for key, head in ratios.items()
     ]
     first = next(plan for plan in plans if plan.planned)
@@ -321,12 +317,14 @@ def _table_of_plans(plans: Sequence[LifeTestPlan], unit: str) -> Table:
         samples=first.samples,
         seed=str(first.seed),
     )
-    return Table(
-        (*columns, *_time_columns(plans, unit)), "plans", breaks=(Break(len(columns), "", legend),)
+    return doc.Table(
+        (*columns, *_time_columns(plans, unit)),
+        "plans",
+        breaks=(doc.Break(len(columns), "", legend),),
     )
 
 
-def _time_columns(plans: Sequence[LifeTestPlan], unit: str) -> list[Column]:
+def _time_columns(plans: Sequence[LifeTestPlan], unit: str) -> list[doc.Column]:
     ends = [plan.duration for plan in plans]
     limits = manner().column(
         [limit for end in ends if end is not None for limit in (end.lower, end.upper)], FIGURES
@@ -341,9 +339,11 @@ def _time_columns(plans: Sequence[LifeTestPlan], unit: str) -> list[Column]:
         "bearing_time": (said("bearing·{unit}", unit=unit), [plan.bearing_time for plan in plans]),
         "rig_time": (said("rig·{unit}", unit=unit), [plan.rig_time for plan in plans]),
     }
-    mean, *others = (Column(head, values, key, most=4) for key, (head, values) in numbers.items())
+    mean, *others = (
+        doc.Column(head, values, key, most=4) for key, (head, values) in numbers.items()
+    )
     bounds = [
-        Column(
+        doc.Column(
             key,
             [nan if end is None else getattr(end, key) for end in ends],
             f"duration_{key}",
@@ -351,7 +351,7 @@ def _time_columns(plans: Sequence[LifeTestPlan], unit: str) -> list[Column]:
         )
         for key in ("lower", "upper")
     ]
-    return [mean, Column("(90 %)", ranges, align="right"), *bounds, *others]
+    return [mean, doc.Column("(90 %)", ranges, align="right"), *bounds, *others]
 
 
 def _kind(plan: LifeTestPlan) -> str:
@@ -375,9 +375,9 @@ def _probability(share: float) -> str:
     return manner().fixed(100.0 * share, 1)
 
 
-def _probability_cell(share: float) -> CellContent:
-    return Number(share, ".1f [%]") if 0.001 <= share <= 0.999 else _probability(share)
+def _probability_cell(share: float) -> doc.CellContent:
+    return doc.Number(share, ".1f [%]") if 0.001 <= share <= 0.999 else _probability(share)
 
 
-def _time(time: float) -> Number:
-    return Number(time, f".{FIGURES}")
+def _time(time: float) -> doc.Number:
+    return doc.Number(time, f".{FIGURES}")

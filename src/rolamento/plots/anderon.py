@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from math import isfinite, sqrt
 from typing import TYPE_CHECKING, Final
@@ -10,23 +10,17 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.charts.frame import (
-    GREY,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    log_scale,
-    panels,
-)
-from rolamento.charts.style import INNER, OUTER, new_figure, styled
+from rolamento.charts import Axis, Chart, Labels, Line, Look, Mark, nothing, series_look
+from rolamento.charts.drawing import draw, figure
+from rolamento.charts.record import Side
+from rolamento.charts.texts import number
 from rolamento.words import said
 from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.vibration.anderon import BandName, Noise, NoiseSteps
+    from rolamento.vibration.anderon import BandName, Noise
     from rolamento.weibull import Trend
 
 __all__ = ["noise_bands", "noise_figure", "noise_trend_figure"]
@@ -40,7 +34,7 @@ def noise_figure(
     noise: Noise, *, limits: Mapping[BandName, float] | None = None, title: str = ""
 ) -> Figure:
     """Draw noise over frequency, as `noise_bands`, with a title."""
-    return panels(lambda axes: noise_bands(noise, axes, limits=limits), title=title, height=90.0)
+    return figure(noise_chart(noise, limits or {}), title=title)
 
 
 def noise_bands(
@@ -57,24 +51,48 @@ def noise_bands(
     limits
         Anderons by band up to which noise is accepted.
     """
+    return draw(noise_chart(noise, limits or {}), axes)
+
+
+def noise_chart(noise: Noise, limits: Mapping[BandName, float]) -> Chart:
+    """Return the chart of `noise_bands`."""
     from rolamento.vibration.anderon import noise_steps
 
-    with styled():
-        axes = new_figure(height=90.0)[1] if axes is None else axes
-        levels = [band.anderons for band in noise.bands if isfinite(band.anderons)]
-        steps = noise_steps(noise, _PARTS)
-        drawn = np.concatenate([found.anderons for found in steps.values()] or [np.zeros(0)])
-        sizes = [value for value in (*levels, *drawn.tolist()) if value > 0.0]
-        if not sizes:
-            return empty_frame(axes, said("The sampling rate is too low for all of the bands."))
-        _draw(axes, noise, steps, limits or {})
-        label_x(axes, said("Frequency (Hz)"))
-        label_y(axes, said("Noise (anderon)"))
-        _frame(axes, noise, [*sizes, *(limits or {}).values()])
-        log_scale(axes, "x")
-        log_scale(axes, "y")
-        legend_above(axes)
-    return axes
+    steps = noise_steps(noise, _PARTS)
+    values = [band.anderons for band in noise.bands if isfinite(band.anderons)]
+    values += [value for found in steps.values() for value in found.anderons.tolist()]
+    sizes = [value for value in values if value > 0.0]
+    if not sizes:
+        return nothing(said("The sampling rate is too low for all of the bands."))
+    sizes += limits.values()
+    third, level, limit = series_look(0), Look("ink", width=1.4), Look("bad", "dash")
+    names = {third: said("thirds of octaves"), level: said("level of the band"),
+             limit: said("limit of acceptance")}  # fmt: skip
+    series: list[Line] = []
+    for band in noise.bands:
+        ends = np.array(band.band)
+        if band.name in steps:
+            edges, own = steps[band.name]
+            x, y = np.repeat(edges, 2)[1:-1], np.repeat(own, 2)
+            series.append(Line(x, y, names.pop(third, ""), third))
+            series.append(Line(ends, np.full(2, band.anderons), names.pop(level, ""), level))
+        if band.name in limits:
+            own_limit = np.full(2, limits[band.name])
+            series.append(Line(ends, own_limit, names.pop(limit, ""), limit))
+    middles = np.array([sqrt(band.band[0] * band.band[1]) for band in noise.bands])
+    texts = tuple(band_name(band.name) for band in noise.bands)
+    sides: list[Side] = ["on"] * len(texts)
+    labels = Labels(middles, middles, texts, tuple(sides), "grey", 0.96)
+    return Chart(
+        (*series, labels),
+        Axis(limits=(noise.bands[0].band[0], noise.bands[-1].band[1]), log=True,
+             label=said("Frequency (Hz)")),
+        Axis(limits=(min(sizes) / _ROOM, max(sizes) * _ROOM**2), log=True,
+             label=said("Noise (anderon)")),
+        "; ".join(f"{band_name(band.name)}: {number(band.anderons)} anderon"
+                  for band in noise.bands if isfinite(band.anderons)),
+        marks=tuple(Mark(band.band[0], "", Look("grey", width=0.5), "x") for band in noise.bands),
+    )  # fmt: skip
 
 
 def noise_trend_figure(trend: Trend, *, limits: Mapping[BandName, float] | None = None) -> Figure:
@@ -91,50 +109,6 @@ def noise_trend_figure(trend: Trend, *, limits: Mapping[BandName, float] | None 
     from rolamento.vibration.anderon import BANDS
 
     translated = replace(trend, quantities=tuple(map(band_name, BANDS)))
-    figure = trend_figure(translated)
-    with styled():
-        named = False
-        for axes, name in zip(figure.axes, BANDS, strict=True):
-            limit = (limits or {}).get(name)
-            if limit is not None:
-                label = "" if named else said("limit of acceptance")
-                axes.axhline(limit, color=OUTER.color, linestyle="--", label=label)
-                axes.set_ylim(top=max(axes.get_ylim()[1], 1.1 * limit))
-                if not named:
-                    legend_above(axes)
-                named = True
-    return figure
-
-
-def _draw(
-    axes: Axes, noise: Noise, steps: Mapping[BandName, NoiseSteps], limits: Mapping[BandName, float]
-) -> None:
-    """Draw steps, levels and limits, each kind named once in the legend."""
-    named: set[str] = set()
-
-    def label(text: str) -> str:
-        known = text in named
-        named.add(text)
-        return "" if known else text
-
-    for band in noise.bands:
-        if band.name in steps:
-            edges, values = steps[band.name]
-            axes.stairs(values, edges, baseline=None, color=INNER.color, linewidth=1.0,
-                        label=label(said("thirds of octaves")))  # fmt: skip
-            axes.hlines(band.anderons, *band.band, color="black", linewidth=2.0,
-                        label=label(said("level of the band")))  # fmt: skip
-        if band.name in limits:
-            axes.hlines(limits[band.name], *band.band, color=OUTER.color, linestyle="--",
-                        label=label(said("limit of acceptance")))  # fmt: skip
-
-
-def _frame(axes: Axes, noise: Noise, sizes: Sequence[float]) -> None:
-    """Set the limits of the axes, and name the bands along the top."""
-    axes.set_xlim(noise.bands[0].band[0], noise.bands[-1].band[1])
-    axes.set_ylim(min(sizes) / _ROOM, max(sizes) * _ROOM**2)
-    for band in noise.bands:
-        low, high = band.band
-        axes.axvline(low, color=GREY, linewidth=0.7, zorder=1.5)
-        axes.text(sqrt(low * high), 0.985, band_name(band.name), va="top", ha="center",
-                  fontsize=8.0, color=GREY, transform=axes.get_xaxis_transform())  # fmt: skip
+    places = {place: (limits or {}).get(name) for place, name in enumerate(BANDS)}
+    accepted = {place: limit for place, limit in places.items() if limit is not None}
+    return trend_figure(translated, acceptance=accepted)

@@ -2,33 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
+from rolamento.charts import (
+    Axis,
+    Bars,
+    Chart,
+    Labels,
+    Line,
+    nothing,
+    race_look,
+    series_look,
+)
 from rolamento.charts.axes_units import PERCENT, ReadableUnit
 from rolamento.charts.contacts import race_name
-from rolamento.charts.frame import (
-    GREY,
-    PlainNumbers,
-    add_title,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-)
-from rolamento.charts.style import INNER, MILLIMETRE, OUTER, WIDTH, Series, series, styled
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import add_title
+from rolamento.charts.style import MILLIMETRE, WIDTH, styled
 from rolamento.charts.texts import number
+from rolamento.solved import RACES
 from rolamento.words import said, worded
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from rolamento.geometry import Race
-    from rolamento.studies.cage_turn import CageTurn, ContactHistory
+    from rolamento.studies.cage_turn import CageTurn
 
 __all__ = ["cage_turn_figure"]
 
@@ -38,11 +40,9 @@ _HEIGHT: Final = 145.0
 _SHIFTS: Final = ("x", "y", "z")
 _MOST_ORDERS: Final = 6
 _DECADES: Final = 1e-5  # of the greatest amplitude: bars below are not drawn
-_BAR: Final = 0.26
 _LENGTHS: Final = (ReadableUnit("µm", 1e6), ReadableUnit("nm", 1e9), ReadableUnit("pm", 1e12))
 _SHARES: Final = (PERCENT, ReadableUnit("ppm", 1e6))
 _STIFFNESS: Final = ReadableUnit("N/µm", 1e-6)
-_FURTHER_ROWS: Final = ("-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2)))
 
 
 def cage_turn_figure(turn: CageTurn) -> Figure:
@@ -57,55 +57,50 @@ def cage_turn_figure(turn: CageTurn) -> Figure:
     turn
         From `rolamento.studies.cage_turn.cage_turn`.
     """
+    charts = (displacement_chart(turn), load_chart(turn), stiffness_chart(turn),
+              harmonics_chart(turn))  # fmt: skip
     with styled():
         figure = Figure(figsize=(WIDTH * MILLIMETRE, _HEIGHT * MILLIMETRE))
-        grid = figure.add_gridspec(2, 2)
-        _displacements(figure.add_subplot(grid[0, 0]), turn)
-        polar = figure.add_subplot(grid[0, 1], projection="polar")
-        assert isinstance(polar, PolarAxes)
-        _ball_load(polar, turn)
-        _stiffnesses(figure.add_subplot(grid[1, 0]), turn)
-        _harmonics(figure.add_subplot(grid[1, 1]), turn)
+        for place, chart in enumerate(charts, start=1):
+            axes = figure.add_subplot(2, 2, place, projection="polar" if chart.polar else None)
+            draw(chart, axes)
+            above = 6.0 if axes.get_legend() is None or not chart.series else 20.0
+            axes.set_title(chart.title, loc="left", pad=40.0 if chart.polar else above)
         if turn.case.title:
             add_title(figure, turn.case.title)
     return figure
 
 
-def _displacements(axes: Axes, turn: CageTurn) -> None:
+def displacement_chart(turn: CageTurn) -> Chart:
+    """Return how the ring moves about its mean place, over the azimuth of the first element."""
+    title = said("Displacement of the inner ring")
     if not np.isfinite(turn.solved.displacement.array).any():
-        empty_frame(axes, said("no point has a result"))
-        return
+        return replace(nothing(said("no point has a result")), title=title)
     variation = turn.variation("displacement")
-    extent = variation.peak_to_peak[:3]
+    mean, extent = variation.mean[:3], variation.peak_to_peak[:3]
     unit = _fitting(_LENGTHS, extent) if turn.converged else _LENGTHS[0]
-    for index, name in enumerate(_SHIFTS):
-        values = turn.solved.displacement.array[:, index]
-        if turn.converged:
-            values = _about(values, variation.mean[index], extent[index])
-        _line(axes, turn, unit.of(values), index, name)
-    label = said("About the mean") if turn.converged else said("Displacement of the inner ring")
-    _angle_panel(axes, turn, unit.label(label))
-    _level_if_flat(axes, turn.converged and not extent.any())
-    _headed(axes, said("Displacement of the inner ring"))
+    values = turn.solved.displacement.array[:, :3]
+    if turn.converged:
+        values = np.where(extent, values - mean, 0.0)
+    label = said("About the mean") if turn.converged else title
+    return _over_angle(turn, unit.of(values), _SHIFTS, unit.label(label), title)
 
 
-def _stiffnesses(axes: Axes, turn: CageTurn) -> None:
+def stiffness_chart(turn: CageTurn) -> Chart:
+    """Return how the stiffness of the ring varies, over the azimuth of the first element."""
+    title = said("Stiffness")
     if not np.isfinite(turn.solved.stiffness.array).any():
-        empty_frame(axes, said("no point has a result"))
-        return
+        return replace(nothing(said("no point has a result")), title=title)
     variation = turn.variation("stiffness")
     extent, mean = np.diagonal(variation.peak_to_peak)[:3], np.diagonal(variation.mean)[:3]
     mean = np.where(mean == 0.0, 1.0, mean)  # cylindrical rollers do not hold the ring along x
     unit = _fitting(_SHARES, extent / np.abs(mean)) if turn.converged else _STIFFNESS
-    for index, name in enumerate(_SHIFTS):
-        values = turn.solved.stiffness.array[:, index, index]
-        if turn.converged:
-            values = _about(values / mean[index], 1.0, extent[index])
-        _line(axes, turn, unit.of(values), index, f"{name}–{name}")
-    label = said("About the mean") if turn.converged else said("Stiffness")
-    _angle_panel(axes, turn, unit.label(label))
-    _level_if_flat(axes, turn.converged and not extent.any())
-    _headed(axes, said("Stiffness"))
+    values = np.diagonal(turn.solved.stiffness.array, axis1=1, axis2=2)[:, :3]
+    if turn.converged:
+        values = np.where(extent, values / mean - 1.0, 0.0)
+    label = said("About the mean") if turn.converged else title
+    names = [f"{name}–{name}" for name in _SHIFTS]
+    return _over_angle(turn, unit.of(values), names, unit.label(label), title)
 
 
 def _fitting(units: tuple[ReadableUnit, ...], extents: Floats) -> ReadableUnit:
@@ -115,103 +110,74 @@ def _fitting(units: tuple[ReadableUnit, ...], extents: Floats) -> ReadableUnit:
     return next(fitting, units[0] if greatest == 0.0 else units[-1])
 
 
-def _about(values: Floats, mean: float, extent: float) -> Floats:
-    """Return what a quantity does about its mean; no rounding where it does nothing."""
-    return values - mean if extent else np.zeros_like(values)
-
-
-def _line(axes: Axes, turn: CageTurn, values: Floats, index: int, name: str) -> None:
-    """Draw one line over the period, its first point repeated at the end."""
+def _over_angle(
+    turn: CageTurn, values: Floats, names: Sequence[str], label: str, title: str
+) -> Chart:
+    """Return lines over the period, the first point of each repeated at the end."""
     angle = np.degrees(np.append(turn.angle, turn.period))
-    axes.plot(angle, np.append(values, values[0]), label=name, **series(index).keywords())
-
-
-def _angle_panel(axes: Axes, turn: CageTurn, label: str) -> None:
-    axes.set_xlim(0.0, float(np.degrees(turn.period)))
-    axes.margins(y=0.08)
+    closed = np.vstack([values, values[:1]])
+    series: list[Line | Labels] = [
+        Line(angle, closed[:, index], name, series_look(index)) for index, name in enumerate(names)
+    ]
+    upright = Axis(label=label)
+    if turn.converged and not values.any():  # a scale on which it is a line
+        upright = Axis(label=label, limits=(-1.0, 1.0), ticks=((0.0, number(0.0)),))
+        middle = np.array([0.5 * angle[-1]])
+        still = (said("no variation"),)
+        series.append(Labels(middle, middle, still, ("on",), "grey", 0.7))
     azimuth = worded(
         turn.elements,
         said("Azimuth of the first ball (°)"),
         said("Azimuth of the first roller (°)"),
     )
-    label_x(axes, azimuth)
-    label_y(axes, label)
+    across = Axis(limits=(0.0, float(np.degrees(turn.period))), label=azimuth)
+    return Chart(tuple(series), across, upright, title=title)
 
 
-def _headed(axes: Axes, title: str) -> None:
-    """Put the legend, if there is one, over the frame, and the title over the legend."""
-    legend_above(axes)
-    axes.set_title(title, loc="left", pad=6.0 if axes.get_legend() is None else 20.0)
-
-
-def _level_if_flat(axes: Axes, flat: bool) -> None:
-    """Give what does not vary a scale on which it is a line, with a word beside it."""
-    if flat:
-        axes.set_ylim(-1.0, 1.0)
-        axes.set_yticks([0.0])
-        axes.text(0.5, 0.7, said("no variation"), transform=axes.transAxes, ha="center", color=GREY)
-
-
-def _ball_load(axes: PolarAxes, turn: CageTurn) -> None:
-    histories = turn.histories
-    if not any(np.isfinite(history.inner.load).any() for history in histories):
-        empty_frame(axes, said("no point has a result"))
-        return
-    axes.set_theta_zero_location("N")
-    axes.set_theta_direction(-1)
-    for history in histories:
-        azimuth = np.append(history.azimuth, history.azimuth[0] + 2.0 * np.pi)
-        races: tuple[tuple[Race, Series, ContactHistory], ...] = (
-            ("inner", INNER, history.inner),
-            ("outer", OUTER, history.outer),
-        )
-        for race, line, contact in races:
-            look = line.keywords()
-            if history.row:  # the race's colour, a line of the row's own
-                look["linestyle"] = _FURTHER_ROWS[(history.row - 1) % len(_FURTHER_ROWS)]
-            load = 1e-3 * np.append(contact.load, contact.load[0])
-            axes.plot(azimuth, load, label=race_name(race, history.row, len(histories)), **look)
-    axes.set_ylim(bottom=0.0)
-    axes.set_rlabel_position(112.5)
-    axes.yaxis.set_major_formatter(PlainNumbers())
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2)
+def load_chart(turn: CageTurn) -> Chart:
+    """Return the load of one element of each row on its way round."""
     title = worded(
         turn.elements,
         said("Load of one ball over a turn (kN)"),
         said("Load of one roller over a turn (kN)"),
     )
-    axes.set_title(title, pad=10.0)
+    lines = [
+        Line(np.degrees(np.append(own.azimuth, own.azimuth[0] + 2.0 * np.pi)),
+             1e-3 * np.append(load, load[0]), race_name(race, own.row, len(turn.histories)),
+             race_look(race, row=own.row))
+        for own in turn.histories
+        for race, load in zip(RACES, (own.inner.load, own.outer.load), strict=True)
+    ]  # fmt: skip
+    if not any(np.isfinite(line.y).any() for line in lines):
+        return replace(nothing(said("no point has a result")), title=title)
+    return Chart(tuple(lines), y=Axis(hidden=True), title=title, polar=True, numbers_at=112.5)
 
 
-def _harmonics(axes: Axes, turn: CageTurn) -> None:
+def harmonics_chart(turn: CageTurn) -> Chart:
+    """Return the amplitudes of the displacement's harmonics as bars, from a common foot."""
+    title = said("Harmonics of the displacement")
     amplitudes = np.abs(turn.variation("displacement").harmonics[:_MOST_ORDERS, :3])
-    if not amplitudes.any() or not turn.converged:
-        empty_frame(
-            axes, said("no variation") if turn.converged else said("not every point has a result")
-        )
-    else:
-        unit = _fitting(_LENGTHS, amplitudes)
-        _bars(axes, unit.of(amplitudes))
-        label_y(axes, unit.label(said("Amplitude")))
-        axes.set_yscale("log")
+    if not turn.converged:
+        return replace(nothing(said("not every point has a result")), title=title)
+    if not amplitudes.any():
+        return replace(nothing(said("no variation")), title=title)
+    unit = _fitting(_LENGTHS, amplitudes)
+    shown = unit.of(np.where(amplitudes > _DECADES * amplitudes.max(), amplitudes, np.nan))
+    places = tuple(range(len(shown)))
+    bars = (
+        Bars(shown[:, index], places, name, series_look(index))
+        for index, name in enumerate(_SHIFTS)
+    )
     frequency = turn.passage_frequency
-    known = np.isfinite(frequency)
-    label = worded(
+    passage = worded(
         turn.elements, said("Harmonic of the ball passage"), said("Harmonic of the roller passage")
     )
-    behind = f"\n({number(frequency)} Hz)" if known else ""
-    axes.set_xlabel(label + behind, parse_math=False)
-    _headed(axes, said("Harmonics of the displacement"))
-
-
-def _bars(axes: Axes, amplitudes: Floats) -> None:
-    """Draw a group of bars for each harmonic, from a common foot."""
-    order = np.arange(1, len(amplitudes) + 1)
-    greatest = amplitudes.max()
-    shown = np.where(amplitudes > _DECADES * greatest, amplitudes, np.nan)
-    for index, name in enumerate(_SHIFTS):
-        look, place = series(index), order + _BAR * (index - 1)
-        axes.bar(place, shown[:, index], width=0.92 * _BAR, color=look.color, label=name)
-    axes.set_xticks(order)
-    axes.set_xlim(0.5, len(amplitudes) + 0.5)
-    axes.set_ylim(bottom=0.4 * np.nanmin(shown), top=2.0 * greatest)
+    behind = f"; 1× = {number(frequency)} Hz" if np.isfinite(frequency) else ""
+    ends = 0.4 * float(np.nanmin(shown)), 2.0 * float(np.nanmax(shown))
+    return Chart(
+        tuple(bars),
+        Axis(limits=ends, log=True, label=unit.label(said("Amplitude")) + behind),
+        Axis(categories=tuple(f"{order}×" for order in range(1, len(shown) + 1)),
+             label=passage),
+        title=title,
+    )  # fmt: skip

@@ -84,7 +84,7 @@ def load_displacement(
     unit_y = readable_unit("N*m" if tilt else "N", up)
     lines = (
         Line(unit_x.of(across[index]), unit_y.of(up[index]), name, series_look(index),
-             _form(across.shape[1]))
+             form_of(across.shape[1]))
         for index, name in enumerate(names)
     )  # fmt: skip
     over = Axis(capitalised(variable_name(direction)), unit_x.symbol)
@@ -149,7 +149,7 @@ def stiffness_over_speed(
     unit = readable_unit("N*m/rad" if tilts == {True} else "N/m", up)
     lines = (
         Line(RPM.of(across), unit.of(up[:, index]), f"{direction}–{direction}",
-             series_look(index), _form(len(across)))
+             series_look(index), form_of(len(across)))
         for index, direction in enumerate(directions)
     )  # fmt: skip
     upright = Axis(said("Stiffness"), unit.symbol, zero=_from_zero(up))
@@ -203,7 +203,8 @@ def _speed() -> Axis:
     return Axis(capitalised(variable_name("inner_speed")), RPM.symbol)
 
 
-def _form(points: int) -> Form:
+def form_of(points: int) -> Form:
+    """Return how a line of so many points is drawn."""
     return "both" if points <= MOST_MARKERS else "line"
 
 

@@ -11,20 +11,17 @@ from numpy.typing import NDArray
 
 from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
-from rolamento.charts.drawing import draw
+from rolamento.charts.drawing import figure
 from rolamento.charts.field_axis import field_axis, is_geometric
-from rolamento.charts.frame import panels
 from rolamento.charts.texts import no_result
 from rolamento.friction.models import torque_model_name
 from rolamento.studies.names import setting_name
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.studies.friction_curves import FrictionCurve
 
-__all__ = ["friction_figure", "spin_to_roll", "torque_by_model"]
+__all__ = ["friction_figure", "spin_chart", "torque_chart"]
 
 Floats = NDArray[np.float64]
 
@@ -46,29 +43,14 @@ def friction_figure(curves: Sequence[FrictionCurve]) -> Figure:
     curves
         The case's own first, then its variants; over one field.
     """
-    title, drawn = curves[0].case.title, [lambda axes: torque_by_model(curves, axes)]
+    charts = [torque_chart(curves)]
     if curves[0].is_speed and any(curve.controlled is not None for curve in curves):
-        drawn.append(lambda axes: spin_to_roll(curves, axes))
-    return panels(*drawn, title=title, height=165.0 if len(drawn) > 1 else 105.0)
-
-
-def torque_by_model(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> Axes:
-    """Draw the running torque of all sources by every model; of variants by the one in use.
-
-    Parameters
-    ----------
-    curves
-        As in `friction_figure`.
-    axes
-        To draw on; of a new figure if not given.
-    """
-    chart = torque_chart(curves)
-    faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
-    return draw(chart, axes, title=said("faint: the model is not valid there") if faint else "")
+        charts.append(spin_chart(curves))
+    return figure(*charts, title=curves[0].case.title, height=165.0 if len(charts) > 1 else 105.0)
 
 
 def torque_chart(curves: Sequence[FrictionCurve]) -> Chart:
-    """Return the running torque by every model, faint where it is not valid."""
+    """Return the running torque of all sources by every model; of variants by the one in use."""
     lines = list(_lines(curves))
     values = np.concatenate([torque for torque, _, _, _ in lines])
     if not np.isfinite(values).any():
@@ -78,15 +60,8 @@ def torque_chart(curves: Sequence[FrictionCurve]) -> Chart:
               for torque, valid, name, look in lines)  # fmt: skip
     wide = _is_wide(values) and is_geometric(curves[0].values)
     upright = Axis(said("Friction torque"), unit.symbol, log=wide, zero=True)
-    return Chart(tuple(series), field_axis(curves[0].field, curves[0].values), upright)
-
-
-def spin_to_roll(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> Axes:
-    """Draw the ratios of spin to roll under friction control, of the most loaded ball.
-
-    Parameters as of `torque_by_model`.
-    """
-    return draw(spin_chart(curves), axes)
+    chart = Chart(tuple(series), field_axis(curves[0].field, curves[0].values), upright)
+    return chart.where_faint(said("faint: the model is not valid there"))
 
 
 def spin_chart(curves: Sequence[FrictionCurve]) -> Chart:

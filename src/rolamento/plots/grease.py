@@ -9,8 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
-from rolamento.charts.drawing import draw
-from rolamento.charts.frame import panels
+from rolamento.charts.drawing import figure
 from rolamento.charts.texts import no_result
 from rolamento.grease.models import MODELS
 from rolamento.units import ZERO_CELSIUS
@@ -18,11 +17,9 @@ from rolamento.words import said
 from rolamento.words.sentences.grease import LAWS
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.grease.of_case import GreaseCase
 
-__all__ = ["grease_figure", "life_over_temperature"]
+__all__ = ["grease_figure", "temperature_chart"]
 
 _COLDEST, _HOTTEST, _POINTS = 40.0, 180.0, 141
 
@@ -35,26 +32,11 @@ def grease_figure(found: GreaseCase) -> Figure:
     found
         What `rolamento.tasks.grease_of_case` gives.
     """
-    return panels(
-        lambda axes: life_over_temperature(found, axes), title=found.solved.title, height=90.0
-    )
-
-
-def life_over_temperature(found: GreaseCase, axes: Axes | None = None) -> Axes:
-    """Draw the mean life by each law within its range, and the case's temperature.
-
-    Parameters
-    ----------
-    found
-        As of `grease_figure`.
-    axes
-        To draw on; of a new figure if not given.
-    """
-    return draw(temperature_chart(found), axes)
+    return figure(temperature_chart(found), title=found.solved.title)
 
 
 def temperature_chart(found: GreaseCase) -> Chart:
-    """Return the mean life by each law within its range."""
+    """Return the mean life by each law within its range, and the case's temperature."""
     warm = np.linspace(_COLDEST, _HOTTEST, _POINTS)
     lines = []
     for index, law in enumerate(MODELS.values()):

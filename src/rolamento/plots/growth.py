@@ -8,71 +8,80 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.charts.frame import GREY, legend_above
-from rolamento.charts.style import INNER, OUTER
+from rolamento.charts import Axis, Chart, Line, Look, Mark, Spread, Zone, series_look
+from rolamento.charts.texts import number
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.numerics.growth import Forecast
 
-__all__ = ["growth_lines"]
+__all__ = ["growth_chart", "over_time"]
 
 _CURVE: Final = 200
 _FARTHEST: Final = 2.0
 """Spans of the measurements beyond the last one that are drawn at most."""
 
 
-def growth_lines(
-    axes: Axes,
+def growth_chart(
     times: Sequence[float],
     values: Sequence[float],
     found: Forecast,
-    *,
-    limit_name: str = "",
-) -> None:
-    """Draw measurements, the chosen law with its band, and the limit.
+    across: str,
+    upright: str,
+    zones: Sequence[Zone] = (),
+) -> Chart:
+    """Return measurements, the chosen law with its band, and the limit.
 
     Parameters
     ----------
-    axes
-        To draw on.
     times, values
         Measured.
     found
         Of `rolamento.numerics.growth.forecast`.
-    limit_name
-        What to call the limit in the legend.
+    across, upright
+        What stands along the axes.
+    zones
+        Below all.
     """
-    growth, crossing = found.growth, found.crossing
+    growth, crossing, look = found.growth, found.crossing, series_look(0)
     first, last = min(times), max(times)
     span = max(last - first, 1e-9 * max(abs(last), 1.0))
     reach = [last + 0.15 * span]
-    if crossing.code == "reached":
+    reached = crossing.code == "reached"
+    if reached:
         end = crossing.upper if isfinite(crossing.upper) else crossing.time
         reach += [min(1.05 * end - 0.05 * first, last + _FARTHEST * span)]
     grid = np.linspace(first, max(reach), _CURVE)
-    axes.plot(
-        times, values, linestyle="", marker=INNER.marker, color=INNER.color,
-        label=said("measured"), zorder=4.0,
-    )  # fmt: skip
+    series: list[Line | Spread] = []
     if isfinite(growth.p_value):
         law = said("exponential") if growth.law == "exponential" else said("linear")
         low, high = growth.band(grid, crossing.confidence)
-        axes.plot(grid, growth.at(grid), color=INNER.color, label=law, zorder=3.0)
-        label = said("{confidence:.3 [%]} % band", confidence=crossing.confidence)
-        axes.fill_between(grid, low, high, color=INNER.color, alpha=0.15, linewidth=0.0,
-                          label=label)  # fmt: skip
-    axes.axhline(
-        crossing.limit, color=OUTER.color, linestyle="--", label=limit_name or said("limit")
+        band = said("{confidence:.3 [%]} % band", confidence=crossing.confidence)
+        series += [Spread(grid, low, high, band, look), Line(grid, growth.at(grid), law, look)]
+    points = Look(look.color, width=0.75)
+    series.append(Line(np.asarray(times), np.asarray(values), said("measured"), points, "points"))
+    marks = [Mark(crossing.limit, said("limit"), Look("bad", "dash"))]
+    conclusion = ""
+    if reached and crossing.time <= grid[-1]:
+        marks.append(Mark(crossing.time, "", Look("grey", width=0.65), "x"))
+        ends = np.array([crossing.lower, min(crossing.upper, float(grid[-1]))])
+        series.append(Line(ends, np.full(2, crossing.limit), said("time to the limit"),
+                           Look("bad", width=3.0, opacity=0.5)))  # fmt: skip
+        conclusion = f"{said('time to the limit')}: {number(crossing.time)}"
+    top = 1.25 * max(*values, crossing.limit)
+    foot = 0.0 if min(values) >= 0.0 else min(values) - 0.05 * (top - min(values))
+    return Chart(
+        tuple(series),
+        Axis(limits=(first - 0.03 * span, float(grid[-1])), label=across),
+        Axis(limits=(foot, top), label=upright),
+        conclusion,
+        marks=tuple(marks),
+        zones=tuple(zones),
     )
-    if crossing.code == "reached" and crossing.time <= grid[-1]:
-        axes.axvline(crossing.time, color=GREY, linewidth=0.9)
-        ends = [crossing.lower, min(crossing.upper, float(grid[-1]))]
-        axes.plot(ends, [crossing.limit] * 2, color=OUTER.color, linewidth=4.0, alpha=0.5,
-                  label=said("time to the limit"), solid_capstyle="butt")  # fmt: skip
-    top = max(*values, crossing.limit)
-    axes.set_xlim(first - 0.03 * span, float(grid[-1]))
-    axes.set_ylim(0.0 if min(values) >= 0.0 else None, 1.25 * top)
-    legend_above(axes)
+
+
+def over_time(start: str, unit: str = "h") -> str:
+    """Return what stands along the time: days from a date, or running time."""
+    if start:
+        return said("Days from {date}", date=start)
+    return said("Running time ({unit})", unit=unit)

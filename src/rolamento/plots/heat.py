@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
+from rolamento.charts import Axis, Bars, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
-from rolamento.charts.drawing import draw
+from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
-from rolamento.charts.frame import add_title, empty_frame, label_y, legend_above, panels
-from rolamento.charts.style import new_figure, series, styled
+from rolamento.charts.frame import panels
 from rolamento.charts.texts import no_result
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
@@ -24,17 +23,14 @@ from rolamento.words import said
 from rolamento.words.sentences.heat import PLACE_NAMES, VARIANT_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.heat import HeatBalance, HeatTransient
     from rolamento.heat.answers import HeatVariant
     from rolamento.heat.machine import MachineHeat
     from rolamento.studies.heat_curves import HeatOver
 
-__all__ = ["heat_balance_curves", "heat_figure", "heat_over_figure", "heat_time_figure",
+__all__ = ["heat_figure", "heat_over_figure", "heat_time_figure",
            "heat_variants_figure"]  # fmt: skip
 
-_BAR: Final = 0.16
 _HOURS: Final = 3.0 * 3600.0
 """s beyond which time is shown in hours."""
 
@@ -47,22 +43,7 @@ def heat_figure(found: HeatBalance) -> Figure:
     found
         What `rolamento.heat.heat_balance` gives.
     """
-    return panels(
-        lambda axes: heat_balance_curves(found, axes), title=found.case.title, height=95.0
-    )
-
-
-def heat_balance_curves(found: HeatBalance, axes: Axes | None = None) -> Axes:
-    """Draw both curves over the temperature of the warmest part.
-
-    Parameters
-    ----------
-    found
-        As of `heat_figure`.
-    axes
-        To draw on; of a new figure if not given.
-    """
-    return draw(balance_chart(found), axes)
+    return figure(balance_chart(found), title=found.case.title, height=95.0)
 
 
 def balance_chart(found: HeatBalance) -> Chart:
@@ -182,11 +163,8 @@ def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
     variants
         What `rolamento.heat.answers.variants_of` gives.
     """
-    return panels(
-        lambda axes: draw(variants_chart(variants), axes),
-        title=variants[0].balance.case.title,
-        height=95.0,
-    )
+    title = variants[0].balance.case.title
+    return figure(variants_chart(variants), title=title, height=95.0)
 
 
 def variants_chart(variants: Sequence[HeatVariant]) -> Chart:
@@ -218,21 +196,19 @@ def machine_heat_figure(found: MachineHeat) -> Figure:
     found
         What `rolamento.heat.machine.machine_heat` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=80.0)
-        if not np.isfinite(found.temperatures).all():
-            empty_frame(axes, no_result())
-            return figure
-        place = np.arange(len(found.bearings), dtype=np.float64)
-        for index, node in enumerate(NODES):
-            look = series(index).keywords()
-            axes.bar(
-                place + _BAR * (index - 2.0), found.temperatures[:, index] - ZERO_CELSIUS, _BAR,
-                color=look["color"], label=said(PLACE_NAMES[node]),
-            )  # fmt: skip
-        axes.set_xticks(place, list(found.bearings))
-        label_y(axes, said("Temperature (°C)"))
-        legend_above(axes)
-        if found.machine.title:
-            add_title(figure, found.machine.title)
-    return figure
+    tall = 46.0 + 24.0 * len(found.bearings)
+    return figure(nodes_chart(found), title=found.machine.title, height=tall)
+
+
+def nodes_chart(found: MachineHeat) -> Chart:
+    """Return the temperatures of the nodes of bearings as bars."""
+    if not np.isfinite(found.temperatures).all():
+        return nothing(no_result())
+    places = tuple(range(len(found.bearings)))
+    bars = (
+        Bars(found.temperatures[:, index] - ZERO_CELSIUS, places, said(PLACE_NAMES[node]),
+             series_look(index))
+        for index, node in enumerate(NODES)
+    )  # fmt: skip
+    across = Axis(label=said("Temperature (°C)"), zero=True)
+    return Chart(tuple(bars), across, Axis(categories=tuple(found.bearings)))

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, series_look
-from rolamento.charts.drawing import draw
-from rolamento.charts.frame import GREY, label_y, legend_above, panels
-from rolamento.charts.style import new_figure, series, styled
+from rolamento.charts.drawing import figure
 from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis import DAMAGE
 from rolamento.words import said
@@ -31,28 +29,24 @@ def then_figure(parts: Sequence[tuple[str, float, Sequence[float]]]) -> Figure:
     parts
         Name, depth now, and depths then.
     """
-    with styled():
-        figure, axes = new_figure(height=70.0)
-        places = np.arange(len(parts))
-        now = [100.0 * part[1] for part in parts]
-        look = series(0)
-        for place, (_, _, then) in enumerate(parts):
-            label = said("machine in good order") if place == 0 else None
-            axes.plot(
-                np.full(len(then), place), 100.0 * np.array(then), color=GREY, linestyle="",
-                marker="_", markersize=18.0, label=label,
-            )  # fmt: skip
-        axes.plot(
-            places, now, color=look.color, linestyle="", marker=look.marker, label=said("now")
-        )
-        axes.axhline(100.0 * DAMAGE, color=GREY, linestyle="--", linewidth=0.9,
-                     label=said("damage, without a history"))  # fmt: skip
-        axes.set_xticks(places, [part_name(part[0]) for part in parts])
-        axes.set_xlim(-0.5, len(parts) - 0.5)
-        axes.set_ylim(bottom=0.0)
-        label_y(axes, said("Modulation depth (%)"))
-        legend_above(axes)
-    return figure
+    return figure(then_chart(parts), height=38.0 + 11.0 * max(len(parts), 2))
+
+
+def then_chart(parts: Sequence[tuple[str, float, Sequence[float]]]) -> Chart:
+    """Return the depths of parts, now and then; parameters as of `then_figure`."""
+    places = np.arange(float(len(parts)))
+    then = np.concatenate([100.0 * np.asarray(own, np.float64) for _, _, own in parts])
+    rows = np.repeat(places, [len(own) for _, _, own in parts])
+    now = np.array([100.0 * depth for _, depth, _ in parts])
+    damage = said("damage, without a history")
+    return Chart(
+        (Line(then, rows, said("machine in good order"), Look("grey", mark="tick", width=2.0),
+              "points"),
+         Line(now, places, said("now"), Look("inner"), "points")),
+        Axis(zero=True, label=said("Modulation depth (%)")),
+        Axis(categories=tuple(part_name(name) for name, _, _ in parts)),
+        marks=(Mark(100.0 * DAMAGE, damage, Look("grey", "dash", width=0.65), "x"),),
+    )  # fmt: skip
 
 
 def records_figure(
@@ -67,7 +61,7 @@ def records_figure(
     changes
         Places of the first records of a new level, by part.
     """
-    return panels(lambda axes: draw(records_chart(depths, changes), axes), height=80.0)
+    return figure(records_chart(depths, changes), height=80.0)
 
 
 def records_chart(depths: Mapping[str, FloatArray], changes: Mapping[str, Sequence[int]]) -> Chart:

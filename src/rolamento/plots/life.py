@@ -7,27 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
+from math import ceil, floor, log10
+from typing import TYPE_CHECKING, Final, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
+from rolamento.charts import Axis, Bars, Chart, Labels, Line, Look, Mark, nothing, series_look
 from rolamento.charts.axes_units import MEGAPASCAL, read_values
-from rolamento.charts.drawing import draw
+from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
-from rolamento.charts.frame import (
-    GREY,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    legend_in_columns,
-    log_scale,
-    panels,
-)
-from rolamento.charts.style import SERIES, in_style, new_figure, styled
+from rolamento.charts.palette import SERIES
+from rolamento.charts.record import Side
+from rolamento.charts.style import new_figure
 from rolamento.charts.texts import capitalised, no_result, no_result_count, number, theory_label
 from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
 from rolamento.life.iso16281 import THEORY as REFERENCE
@@ -60,7 +53,6 @@ Floats = NDArray[np.float64]
 By = Literal["load", "pressure"]
 
 _LOAD_ROOM: Final = 1.15
-_BLACK: Final = "#000000"
 _ABOVE: Final = 10.0
 """How far an upper bound may lead the axis beyond the other theories."""
 _ROOM: Final = 1.5
@@ -75,7 +67,6 @@ _LABELLED: Final = {4.0: 38.0, 3.0: 24.0, 2.0: 15.5, 1.5: 10.0, 1.0: 6.5}
 """a_ISO at which curves are named that crowd: down a slope, beside each other."""
 _HIGH: Final = 27.0
 """The same for the others, where they run up that far."""
-_BAR: Final = 0.62
 _MARGIN: Final = 0.2
 _TICKS: Final = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0)
 
@@ -88,40 +79,22 @@ def life_figure(curves: Sequence[LifeCurve]) -> Figure:
     curves
         The case's own first, then its variants; over one field.
     """
-    return panels(
-        lambda axes: lives_by_theory(curves, axes), title=curves[0].case.title, height=110.0
-    )
+    chart = lives_chart(curves)
+    return figure(chart, title=curves[0].case.title, height=110.0)
 
 
 def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Axes:
-    """Draw the life by every theory, faintly where it does not hold; of variants what leads.
-
-    Lives are in hours, or in millions of revolutions where nothing turns at any point. An endless
-    life leaves the frame at the top; a point without a result has a cross at its foot.
-
-    Parameters
-    ----------
-    curves
-        As in `life_figure`.
-    axes
-        To draw on; of a new figure if not given.
-    """
+    """Draw the life by every theory, as `lives_chart` has it, on axes."""
     axes = new_figure(height=110.0)[1] if axes is None else axes
-    return _draw_theories(lives_chart(curves), axes)
-
-
-@in_style
-def _draw_theories(chart: Chart, axes: Axes) -> Axes:
-    """Draw a chart of theories, its legend in columns; say what its faint lines are."""
-    draw(chart, axes, legend=False)
-    if chart.series:
-        faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
-        legend_in_columns(axes, title=said("faint: the theory is not valid there") if faint else "")
-    return axes
+    return draw(lives_chart(curves), axes)
 
 
 def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
-    """Return the life by every theory, and what is required."""
+    """Return the life by every theory, faintly where it does not hold; of variants what leads.
+
+    Lives are in hours, or in millions of revolutions where nothing turns at any point. An endless
+    life leaves the frame at the top; a point without a result has a cross at its foot.
+    """
     own = curves[0]
     turns = own.in_hours
     lines = list(_lines_of_theories(curves))
@@ -144,10 +117,11 @@ def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
     if missing.any():
         count = int(missing.sum())
         why, look = no_result_count(count, len(missing)), Look("grey", mark="thin")
-        series.append(Line(x[missing], np.full(count, -np.inf), why, look, "points"))
+        series.append(Line(x[missing], np.zeros(count), why, look, "points", height=0.0))
     upright = Axis(limits=limits, log=True, label=said("Life (h)") if turns
                    else said("Life (10⁶ rev)"))  # fmt: skip
-    return Chart(tuple(series), field_axis(own.over.field, own.values), upright, marks=marks)
+    chart = Chart(tuple(series), field_axis(own.over.field, own.values), upright, marks=marks)
+    return chart.where_faint(said("faint: the theory is not valid there"))
 
 
 def theory_look(theory: str) -> Look:
@@ -221,11 +195,8 @@ class BearingTests(NamedTuple):
 
 def sn_figure(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Figure:
     """Draw life over load, as `load_over_life`, with the case's title."""
-    return panels(
-        lambda axes: load_over_life(lives, axes, by=by, tests=tests),
-        title=lives.case.title,
-        height=115.0,
-    )
+    chart = load_chart(lives, by=by, tests=tests)
+    return figure(chart, title=lives.case.title, height=115.0)
 
 
 def load_over_life(
@@ -251,7 +222,7 @@ def load_over_life(
     A line is faint where its theory does not hold; the case itself has a mark on each.
     """
     axes = new_figure(height=115.0)[1] if axes is None else axes
-    return _draw_theories(load_chart(lives, by=by, tests=tests), axes)
+    return draw(load_chart(lives, by=by, tests=tests), axes)
 
 
 def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Chart:
@@ -284,8 +255,9 @@ def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTest
     least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
     across = Axis(limits=(least, limits[1]), log=True, label=said("Life (10⁶ rev)"))
     ends = _upright_limits(lives, upright, by)
-    return Chart(tuple(lines), across, Axis(limits=ends, log=True, label=_upright_name(lives, by)),
-                 marks=marks)  # fmt: skip
+    upwards = Axis(limits=ends, log=True, label=_upright_name(lives, by))
+    chart = Chart(tuple(lines), across, upwards, marks=marks)
+    return chart.where_faint(said("faint: the theory is not valid there"))
 
 
 def _tested(tests: BearingTests, place: int, by: By) -> list[Line]:
@@ -331,124 +303,155 @@ def aiso_chart(summary: LifeSummary | None = None, axes: Axes | None = None) -> 
     Curves are without additives; a case with them may lie above its curve, at 3 at most.
     ISO 281:2007, 9.3.3: radial ball bearings, or those of rollers for a roller bearing.
     """
-    with styled():
-        axes = new_figure(height=110.0)[1] if axes is None else axes
-        points = [] if summary is None else _factors_of(summary)
-        rollers = summary is not None and summary.headline.element == "roller"
-        limits = _wide_enough([strength for *_, strength, _ in points])
-        strength = np.geomspace(*limits, _POINTS)
-        for ratio in _RATIOS:
-            factor = life_modification_factor(ratio, strength, 1.0, 1.0, rollers=rollers)
-            axes.plot(strength, factor, color=GREY, linewidth=0.8, zorder=1.5)
-            _name_curve(axes, strength, factor, ratio, "κ = ")
-        for label, marker, colour, x, y in points:
-            axes.plot(
-                x, y, label=label, marker=marker, color=colour, linestyle="", markersize=9.0,
-                markerfacecolor="none", markeredgewidth=1.6, zorder=3.0, clip_on=False,
-            )  # fmt: skip
-        log_scale(axes, "x")
-        log_scale(axes, "y")
-        axes.set_xlim(*limits)
-        axes.set_ylim(_FACTOR[0], _FACTOR[1] * _AISO_ROOM)
-        axes.set_xlabel(r"$e_C\,C_u/P$")
-        axes.set_ylabel(r"$a_\mathrm{ISO}$")
-        if summary is not None and not points:
-            axes.text(
-                0.04,
-                0.92,
-                said("there is no a_ISO for this case"),
-                transform=axes.transAxes,
-                parse_math=False,
-            )
-        legend_above(axes)
-    return axes
+    axes = new_figure(height=110.0)[1] if axes is None else axes
+    return draw(modification_chart(summary), axes)
+
+
+def modification_chart(summary: LifeSummary | None = None) -> Chart:
+    """Return the chart of `aiso_chart`."""
+    points = [] if summary is None else _factors_of(summary)
+    rollers = summary is not None and summary.headline.element == "roller"
+    limits = _wide_enough([line.x for line in points])
+    upright = _FACTOR[0], _FACTOR[1] * _AISO_ROOM
+    strength = np.geomspace(*limits, _POINTS)
+    curves = [
+        life_modification_factor(ratio, strength, 1.0, 1.0, rollers=rollers) for ratio in _RATIOS
+    ]
+    series: list[Line | Labels] = [
+        Line(strength, factor, "", Look("grey", width=0.55)) for factor in curves
+    ]
+    for ratio, factor in zip(_RATIOS, curves, strict=True):
+        text = f"{'κ = ' if ratio == max(_RATIOS) else ''}{number(ratio)}"
+        place, side = _place_of_name(factor, _LABELLED.get(ratio, _HIGH))
+        at = slice(place, place + 1)
+        series.append(Labels(strength[at], factor[at], (text,), (side,)))
+    if summary is not None and not points:
+        none = said("there is no a_ISO for this case")
+        series.append(Labels(strength[:1], strength[:1], (none,), ("right",), height=0.95))
+    return Chart(
+        (*series, *points),
+        Axis(limits=limits, log=True, label="e_C C_u/P", ticks=_round_ticks(limits)),
+        Axis(limits=upright, log=True, label="a_ISO", ticks=_round_ticks(upright)),
+        "; ".join(line.name for line in points),
+        symbols=True,
+    )
+
+
+def _round_ticks(ends: tuple[float, float]) -> tuple[tuple[float, str], ...]:
+    """Return 1, 2 and 5 of each decade, as the standard's charts have them."""
+    powers = range(floor(log10(ends[0])), ceil(log10(ends[1])) + 1)
+    found = (step * 10.0**power for power in powers for step in (1.0, 2.0, 5.0))
+    return tuple((one, number(one)) for one in found if ends[0] <= one * 1.001 <= ends[1] * 1.01)
+
+
+def _place_of_name(factor: Floats, height: float) -> tuple[int, Side]:
+    """Return where κ stands on a curve: where it has room if it is steep, else at its end."""
+    if factor[-1] > height:
+        return int(np.argmax(factor > height)), "on"
+    return len(factor) - 1, "right"
 
 
 def load_zone_figure(life: ZoneLife) -> Figure:
     """Draw life over the load zone, as `life_over_zone`, with the case's title."""
-    return panels(lambda axes: life_over_zone(life, axes), title=life.case.title, height=95.0)
+    return figure(zone_chart(life), title=life.case.title, height=95.0)
 
 
 def life_over_zone(life: ZoneLife, axes: Axes | None = None) -> Axes:
-    """Draw life over the load zone ε of a radially loaded bearing, and the case's own place.
+    """Draw life over the load zone, as `zone_chart` has it, on axes; by default of a new figure."""
+    axes = new_figure(height=95.0)[1] if axes is None else axes
+    return draw(zone_chart(life), axes)
+
+
+def zone_chart(life: ZoneLife) -> Chart:
+    """Return life over the load zone ε of a radially loaded bearing, and the case's own place.
 
     Parameters
     ----------
     life
         Of `rolamento.tasks.life_over.lives_over_zone`; where the case's load is radial, the
         clearance that makes each zone under it stands below.
-    axes
-        As `aiso_chart`.
     """
-    with styled():
-        axes = new_figure(height=95.0)[1] if axes is None else axes
-        axes.plot(life.zone, life.life_ratio, color=SERIES[0].color)
-        axes.axvline(0.5, color=GREY, linewidth=0.9, label=said("no clearance"))
-        best, ratio = life.best
-        label = said("longest life: ε = {zone}, {ratio}", zone=number(best, 2), ratio=_times(ratio))
-        axes.plot(best, ratio, label=label, **_mark(2))
-        if life.own is not None and life.zone[0] <= life.own[0] <= life.zone[-1]:
-            own, ratio = life.own
-            label = said("this case: ε = {zone}, {ratio}", zone=number(own, 2), ratio=_times(ratio))
-            axes.plot(own, ratio, label=label, **_mark(1))
-        _zone_ticks(axes, life)
-        label_y(axes, said("Life over life without clearance"))
-        axes.set_xlim(0.0, float(life.zone[-1]))
-        axes.set_ylim(0.0, 1.15 * float(np.max(life.life_ratio)))
-        legend_above(axes)
-    return axes
+    best, ratio = life.best
+    label = said("longest life: ε = {zone}, {ratio}", zone=number(best, 2), ratio=_times(ratio))
+    places = [(best, ratio, label, series_look(2))]
+    if life.own is not None and life.zone[0] <= life.own[0] <= life.zone[-1]:
+        own, ratio = life.own
+        label = said("this case: ε = {zone}, {ratio}", zone=number(own, 2), ratio=_times(ratio))
+        places.append((own, ratio, label, series_look(1)))
+    points = (
+        Line(np.array([zone]), np.array([height]), name, look, "points")
+        for zone, height, name, look in places
+    )
+    name = said("Load zone ε")
+    if np.isfinite(life.clearance).all():
+        name = said("Load zone ε\nbelow: diametral clearance under this load (µm)")
+    return Chart(
+        (Line(life.zone, life.life_ratio, "", series_look(0)), *points),
+        Axis(limits=(0.0, float(life.zone[-1])), label=name,
+             ticks=tuple((tick, _zone_text(life, tick)) for tick in _TICKS)),
+        Axis(limits=(0.0, 1.15 * float(np.max(life.life_ratio))),
+             label=said("Life over life without clearance")),
+        "; ".join(label for *_, label, _ in places),
+        marks=(Mark(0.5, said("no clearance"), Look("grey", width=0.65), "x"),),
+    )  # fmt: skip
+
+
+def _zone_text(life: ZoneLife, zone: float) -> str:
+    """Write a zone, and below it the clearance that makes it under the case's load."""
+    if not np.isfinite(life.clearance).all():
+        return number(zone)
+    micrometres = round(1e6 * float(np.interp(zone, life.zone, life.clearance)))
+    return f"{number(zone)}\n{number(float(micrometres))}"
 
 
 def helps_figure(changes: Sequence[Change], title: str = "") -> Figure:
     """Draw what would help, as `what_helps`, with a title."""
-    return panels(
-        lambda axes: what_helps(changes, axes),
-        title=title,
-        height=24.0 + 9.0 * max(len(changes), 2),
-    )
+    return figure(changes_chart(changes), title=title, height=24.0 + 9.0 * max(len(changes), 2))
 
 
 def what_helps(changes: Sequence[Change], axes: Axes | None = None) -> Axes:
-    """Draw a bar for each change: life after it over life before; the most helpful at the top.
+    """Draw what would help, as `changes_chart` has it, on axes; of a new figure if not given."""
+    return draw(changes_chart(changes), axes)
+
+
+def changes_chart(changes: Sequence[Change]) -> Chart:
+    """Return a bar for each change: life after it over life before; the most helpful at the top.
 
     Parameters
     ----------
     changes
         Of `rolamento.life.sensitivity`; one without a ratio has a line without a bar.
-    axes
-        As `aiso_chart`.
     """
-    with styled():
-        axes = new_figure()[1] if axes is None else axes
-        ratios = np.array([change.life_ratio for change in changes], dtype=np.float64)
-        known = np.isfinite(ratios)
-        if not known.any():
-            return empty_frame(axes, no_result())
-        places = np.arange(len(changes))
-        colours = [SERIES[2].color if ratio >= 1.0 else SERIES[1].color for ratio in ratios]
-        axes.barh(places, np.where(known, ratios - 1.0, 0.0), _BAR, left=1.0, color=colours)
-        for place, ratio in zip(places, ratios, strict=True):
-            text = _times(ratio) if np.isfinite(ratio) else no_result()
-            side = -4 if ratio < 1.0 else 4
-            axes.annotate(
-                text, (ratio if np.isfinite(ratio) else 1.0, place), (side, 0),
-                textcoords="offset points", va="center", ha="right" if side < 0 else "left",
-                fontsize=8.0, parse_math=False,
-            )  # fmt: skip
-        axes.axvline(1.0, color=GREY, linewidth=0.9)
-        names = [capitalised(change.note.text) for change in changes]
-        axes.set_yticks(places, names, parse_math=False)
-        axes.invert_yaxis()
-        axes.grid(False, axis="y")
-        least, most = min(float(ratios[known].min()), 1.0), max(float(ratios[known].max()), 1.0)
-        room = _MARGIN * max(most - least, 0.1)
-        axes.set_xlim(least - (1.5 * room if least < 1.0 else 0.0), most + room)
-        label_x(axes, said("Life after the change over life before"))
-    return axes
+    ratios = np.array([change.life_ratio for change in changes], dtype=np.float64)
+    known = np.isfinite(ratios)
+    if not known.any():
+        return nothing(no_result())
+    shown = np.where(known, ratios, 1.0)
+    less, more = np.flatnonzero(shown < 1.0), np.flatnonzero(shown >= 1.0)
+    bars = [
+        Bars(shown[own], tuple(own.tolist()), "", look, start=np.ones(len(own)))
+        for own, look in ((more, series_look(2)), (less, Look("outer", hollow=True)))
+        if own.size
+    ]
+    texts = tuple(
+        _times(ratio) if fine else no_result() for ratio, fine in zip(ratios, known, strict=True)
+    )
+    sides: list[Side] = ["left" if ratio < 1.0 else "right" for ratio in shown]
+    names = tuple(capitalised(change.note.text) for change in changes)
+    least, most = min(float(shown.min()), 1.0), max(float(shown.max()), 1.0)
+    room = _MARGIN * max(most - least, 0.1)
+    return Chart(
+        (*bars, Labels(shown, np.arange(float(len(shown))), texts, tuple(sides))),
+        Axis(limits=(least - (1.5 * room if least < 1.0 else 0.0), most + room),
+             label=said("Life after the change over life before")),
+        Axis(categories=names),
+        f"{names[0]}: {texts[0]}",
+        marks=(Mark(1.0, "", Look("grey", width=0.65), "x"),),
+    )  # fmt: skip
 
 
-def _factors_of(summary: LifeSummary) -> list[tuple[str, str, str, Floats, Floats]]:
-    """Label, marker, colour, e_C C_u/P and a_ISO of each modified theory; bounds left out."""
+def _factors_of(summary: LifeSummary) -> list[Line]:
+    """Return e_C C_u/P and a_ISO of each modified theory as points; bounds left out."""
     found = []
     for theory in _by_rank(summary.theories):
         record = summary[theory]
@@ -469,8 +472,8 @@ def _factors_of(summary: LifeSummary) -> list[tuple[str, str, str, Floats, Float
             label += f", a_ISO = {number(float(factor[there][0]), 3)}"
         if summary.conditions.additives:
             label = said("{theory}, with additives", theory=label)
-        look = SERIES[THEORIES[theory].rank]
-        found.append((label, look.marker, look.color, strength[there], factor[there]))
+        look = replace(series_look(THEORIES[theory].rank), hollow=True, width=1.5)
+        found.append(Line(strength[there], factor[there], label, look, "points"))
     return found
 
 
@@ -482,46 +485,5 @@ def _wide_enough(strengths: Sequence[Floats]) -> tuple[float, float]:
     return low, _STRENGTH[1] if most <= _STRENGTH[1] else most * 2.0
 
 
-def _name_curve(axes: Axes, strength: Floats, factor: Floats, ratio: float, prefix: str) -> None:
-    """Write κ on a curve: where it has room if it is steep, else at its right end."""
-    height = _LABELLED.get(ratio, _HIGH)
-    steep = float(factor[-1]) > height
-    place = int(np.argmax(factor > height)) if steep else len(factor) - 1
-    axes.annotate(
-        (prefix if ratio == max(_RATIOS) else "") + number(ratio),
-        (float(strength[place]), float(factor[place])),
-        (0.0, 0.0) if steep else (3.0, 0.0),
-        textcoords="offset points",
-        ha="center" if steep else "left",
-        va="center",
-        fontsize=7.0,
-        annotation_clip=False,
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if steep else None,
-    )
-
-
-def _zone_ticks(axes: Axes, life: ZoneLife) -> None:
-    """Number the zones, and below them the clearance that makes each under the case's load."""
-    under_load = bool(np.isfinite(life.clearance).all())
-
-    def written(zone: float) -> str:
-        above = number(zone)
-        if not under_load:
-            return above
-        micrometres = round(1e6 * float(np.interp(zone, life.zone, life.clearance)))
-        return f"{above}\n{number(float(micrometres))}"
-
-    axes.set_xticks(_TICKS, [written(tick) for tick in _TICKS])
-    name = said("Load zone ε")
-    if under_load:
-        name = said("Load zone ε\nbelow: diametral clearance under this load (µm)")
-    axes.set_xlabel(name, parse_math=False)
-
-
 def _times(ratio: float) -> str:
     return f"× {number(ratio, 3)}"
-
-
-def _mark(index: int) -> dict[str, Any]:
-    look = SERIES[index]
-    return {"color": look.color, "marker": look.marker, "linestyle": "", "markersize": 7.0}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from math import atan2
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
@@ -12,34 +12,16 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.projections.polar import PolarAxes
 
-from rolamento.charts import Axis, Chart, Labels, Line, Look, series_look
-from rolamento.charts.axes_units import ReadableUnit, readable_unit
+from rolamento.charts import Axis, Chart, Labels, Line, Look, Mark, key, nothing, series_look
+from rolamento.charts.axes_units import MEGAPASCAL, ReadableUnit, readable_unit
 from rolamento.charts.contact_charts import rosette_chart
 from rolamento.charts.contacts import Shown, load_unit, race_name
 from rolamento.charts.drawing import draw
-from rolamento.charts.frame import (
-    GREY,
-    add_title,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    log_scale,
-    require_axes,
-)
+from rolamento.charts.drawing import figure as charts
+from rolamento.charts.frame import add_title, empty_frame, label_x, require_axes
+from rolamento.charts.palette import SERIES
 from rolamento.charts.record import Side
-from rolamento.charts.style import (
-    INNER,
-    MILLIMETRE,
-    OUTER,
-    SERIES,
-    WIDTH,
-    Series,
-    in_style,
-    new_figure,
-    series,
-    styled,
-)
+from rolamento.charts.style import MILLIMETRE, WIDTH, in_style, new_figure, styled
 from rolamento.charts.texts import no_result, number, shown_text
 from rolamento.errors import InputError
 from rolamento.plots.machine_drawing import (
@@ -85,7 +67,7 @@ __all__ = [
 ]
 
 _MM: Final = MM
-_PANELS: Final = (36.0, 34.0, 28.0)
+_PANELS: Final = (36.0, 28.0, 28.0, 28.0)
 """Heights of the panels below the drawing, in mm."""
 _BESIDE: Final = 51.0
 """Height of what stands between panels: legends, numbers, labels, the title; in mm."""
@@ -101,9 +83,9 @@ _SLOPE: Final = 1e3
 
 @in_style
 def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
-    """Draw a machine in four panels along its axis.
+    """Draw a machine in five panels along its axis.
 
-    Shafts to scale with bearings and loads, the line of deflection, bending moment and shear force,
+    Shafts to scale with bearings and loads, the line of deflection, bending moment, shear force,
     nominal stress.
 
     Parameters
@@ -122,16 +104,23 @@ def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
     plan = planned(solved.machine, step)
     tall = plan.height + sum(_PANELS) + _BESIDE
     figure = Figure(figsize=(WIDTH * MILLIMETRE, tall * MILLIMETRE))
-    grid = figure.add_gridspec(4, 1, height_ratios=(plan.height, *_PANELS))
+    grid = figure.add_gridspec(len(_PANELS) + 1, 1, height_ratios=(plan.height, *_PANELS))
     drawing = figure.add_subplot(grid[0])
     draw_planned(drawing, plan)
-    lower = [figure.add_subplot(grid[row], sharex=drawing) for row in (1, 2, 3)]
-    for axes in lower:
-        axes.margins(x=0.0)
+    lower = [figure.add_subplot(grid[row + 1], sharex=drawing) for row in range(len(_PANELS))]
     if solved.status.converged[step]:
-        _deflection(lower[0], solved, [step], named=False)
-        _moments(lower[1], solved, step)
-        _stress(lower[2], solved, step)
+        lines = _lines(solved, [step])
+        _draw_deflection(lower[0], solved, lines, named=False)
+        moments = [one.shaft.bending_moment[step] for one in lines]
+        shears = [one.shaft.shear_force[step] for one in lines]
+        stresses = [one.shaft.stress[step] for one in lines]
+        for axes, values, unit, name in (
+            (lower[1], moments, _unit("N*m", moments), said("Moment")),
+            (lower[2], shears, _unit("N", shears), said("Shear force")),
+            (lower[3], stresses, MEGAPASCAL, said("Stress")),
+        ):
+            chart = _panel(lines, values, unit, name, solved)
+            _draw_low(replace(chart, y=replace(chart.y, zero=True)), axes)
     else:
         for axes in lower:
             empty_frame(axes, said("no equilibrium"))
@@ -146,12 +135,8 @@ def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
 # --- along the axis -------------------------------------------------------------------------------
 
 
-def _along(one: SolvedShaft) -> np.ndarray:
+def _along(one: SolvedShaft) -> FloatArray:
     return np.asarray(_MM * (one.shaft.position + one.position))
-
-
-def _named(one: SolvedShaft, text: str, several: bool) -> str:
-    return f"{one.name}: {text}" if several else text
 
 
 class _Line(NamedTuple):
@@ -160,10 +145,10 @@ class _Line(NamedTuple):
     shaft: SolvedShaft
     step: int
     label: str
-    look: Series
+    look: Look
 
 
-_PLANES: Final[tuple[Any, ...]] = ("-", "--", "-.")
+_PLANES: Final = ("solid", "dash", "dashdot")
 """Lines of y, z and both together, where colours are for shafts and steps."""
 
 
@@ -205,54 +190,59 @@ def draw_deflection(
     steps = [one for one in asked if solved.status.converged[one]]
     if not steps:
         return empty_frame(axes, said("no equilibrium"))
-    _deflection(axes, solved, steps, named=True)
-    label_x(axes, said("x (mm)"))
-    if lost := len(asked) - len(steps):
-        legend = axes.get_legend()
-        handles = [] if legend is None else list(legend.legend_handles)
-        missing = Line2D([], [], linestyle="", label=f"{no_result()}: {lost}")
-        legend_above(axes, handles=[*(one for one in handles if one is not None), missing])
-    return axes
+    lost = len(asked) - len(steps)
+    missing = [key(f"{no_result()}: {lost}", Look("grey"), "points")] if lost else []
+    return _draw_deflection(axes, solved, _lines(solved, steps), named=True, more=missing)
 
 
-def _deflection(axes: Axes, solved: SolvedMachine, steps: Sequence[int], *, named: bool) -> None:
+def _draw_deflection(
+    axes: Axes,
+    solved: SolvedMachine,
+    lines: Sequence[_Line],
+    *,
+    named: bool,
+    more: Sequence[Line] = (),
+) -> Axes:
     """Draw shafts in some steps; named: whether slopes stand beside the names of parts."""
-    lines = _lines(solved, steps)
     single = len(lines) == 1
+    series: list[Line] = []
     for one in lines:
-        moved = one.shaft.displacement[one.step]
-        _plot_planes(axes, one, _along(one.shaft), 1e6 * moved[:, 1:3], single)
-    _own_extent(axes, solved)
+        moved = 1e6 * one.shaft.displacement[one.step][:, 1:3]
+        series += _planes(one, _along(one.shaft), moved, single)
     places = _places(solved, lines)
     for one in lines:
         own = [place for place in places if place.shaft == one.shaft.name]
         at = np.array([_MM * place.x for place in own])
         # as the line is drawn, which is straight between nodes
         far = np.interp(at, _along(one.shaft), 1e6 * one.shaft.deflection[one.step])
-        color = SERIES[2].color if single else one.look.color
-        axes.plot(at, far, linestyle="", marker=one.look.marker, color=color, zorder=4)
-    most = "≤ " if len(steps) > 1 else ""
+        color = series_look(2).color if single else one.look.color
+        series.append(Line(at, far, "", Look(color, mark=one.look.mark, width=0.7), "points"))
+    shared = len(axes.get_shared_x_axes().get_siblings(axes)) > 1  # with a drawing
+    across = Axis(label=said("x (mm)"), limits=None if shared else _extent(lines))
+    named_lines = (*series, *([] if single else _keys(lines)), *more)
+    chart = Chart(named_lines, across, Axis(label=said("Deflection (µm)")), marks=_marks(solved))
+    if shared:
+        axes.margins(x=0.0)
+    draw(chart, axes)
+    most = "≤ " if len({one.step for one in lines}) > 1 else ""
     texts = [f"{most}{number(place.slope, 2)} mrad" for place in places]
     if named:
         texts = [f"{place.name} {text}" for place, text in zip(places, texts, strict=True)]
     _name_places(axes, [(place.x, text) for place, text in zip(places, texts, strict=True)])
-    _marks(axes, solved)
-    label_y(axes, said("Deflection (µm)"))
-    legend_above(axes, handles=[] if single else _handles(lines))
+    return axes
 
 
-def _plot_planes(axes: Axes, one: _Line, x: FloatArray, parts: FloatArray, single: bool) -> None:
-    """Draw y, z and both together: by colours if there is but one line of each."""
+def _planes(one: _Line, x: FloatArray, parts: FloatArray, single: bool) -> Iterator[Line]:
+    """Yield y, z and both together: by colours if there is but one line of each."""
     y, z = parts[:, 0], parts[:, 1]
     for plane, values in enumerate((y, z, np.hypot(y, z))):
-        look: dict[str, Any] = SERIES[plane].keywords()
-        if not single:
-            look = {"color": one.look.color, "linestyle": _PLANES[plane],
-                    "linewidth": 1.6 if plane == 2 else 0.9}  # fmt: skip
-        axes.plot(x, values, label=_planes()[plane] if single else "_", **look)
+        look = Look(one.look.color, _PLANES[plane], width=1.15 if plane == 2 else 0.65)
+        if single:
+            look = series_look(plane)
+        yield Line(x, values, _plane_names()[plane] if single else "", look)
 
 
-def _planes() -> tuple[str, str, str]:
+def _plane_names() -> tuple[str, str, str]:
     return "y", "z", said("resultant")
 
 
@@ -276,19 +266,16 @@ def _lines(solved: SolvedMachine, steps: Sequence[int]) -> list[_Line]:
         for one in solved.shafts.values():
             names = [one.name] if len(solved.shafts) > 1 else []
             names += [solved.steps[step]] if len(steps) > 1 else []
-            found.append(_Line(one, step, ", ".join(names), series(len(found))))
+            found.append(_Line(one, step, ", ".join(names), series_look(len(found))))
     return found
 
 
-def _handles(lines: Sequence[_Line]) -> list[Line2D]:
-    """What stands for colours and for lines."""
-    found = [
-        Line2D([], [], color=one.look.color, marker=one.look.marker, label=one.label)
-        for one in lines
-    ]
-    for style, name in zip(_PLANES, _planes(), strict=True):
-        found.append(Line2D([], [], color=GREY, linestyle=style, label=name))
-    return found
+def _keys(lines: Sequence[_Line]) -> Iterator[Line]:
+    """Yield what stands for colours and for lines."""
+    for one in lines:
+        yield key(one.label, Look(one.look.color, mark=one.look.mark), "both")
+    for dash, name in zip(_PLANES, _plane_names(), strict=True):
+        yield key(name, Look("grey", dash))
 
 
 class _Place(NamedTuple):
@@ -342,13 +329,11 @@ def _name_places(axes: Axes, places: Sequence[tuple[float, str]]) -> None:
         )  # fmt: skip
 
 
-def _own_extent(axes: Axes, solved: SolvedMachine) -> None:
-    """Show the whole machine, unless the axis is that of a drawing."""
-    if len(axes.get_shared_x_axes().get_siblings(axes)) > 1:
-        return
-    ends = [end for one in solved.shafts.values() for end in (_along(one)[0], _along(one)[-1])]
+def _extent(lines: Sequence[_Line]) -> tuple[float, float]:
+    """Return an axis that shows the whole machine."""
+    ends = [end for one in lines for end in (_along(one.shaft)[0], _along(one.shaft)[-1])]
     margin = 0.04 * (max(ends) - min(ends))
-    axes.set_xlim(min(ends) - margin, max(ends) + margin)
+    return min(ends) - margin, max(ends) + margin
 
 
 # --- what is carried ------------------------------------------------------------------------------
@@ -380,109 +365,93 @@ def draw_section_forces(solved: SolvedMachine, *, step: int = 0) -> Figure:
     """
     check_step(solved, step)
     if not solved.status.converged[step]:
-        figure, axes = new_figure()
-        empty_frame(axes, said("no equilibrium"))
-        add_title(figure, title_of(solved, step))
-        return figure
+        return charts(nothing(said("no equilibrium")), title=title_of(solved, step))
     lines = _lines(solved, [step])
     figure = Figure(figsize=(WIDTH * MILLIMETRE, 5.0 * _PANEL * MILLIMETRE))
     panels = figure.subplots(5, 1, sharex=True)
-    shear, moment, axial, torque, stress = panels
-    _in_planes(shear, lines, (1, 2), "N", said("Shear force"))
-    _in_planes(moment, lines, (3, 4), "N*m", said("Bending moment"))
     forces = [one.shaft.force[step, ..., 0] for one in lines]
-    _panel(axial, lines, forces, readable_unit("N", _flat(forces)), said("Axial force"))
     torques = [one.shaft.torque[step] for one in lines]
-    _panel(torque, lines, torques, readable_unit("N*m", _flat(torques)), said("Torque"))
     stresses = [one.shaft.stress[step] for one in lines]
-    _panel(stress, lines, stresses, readable_unit("Pa", 0.0), said("Equivalent stress"))
-    stress.set_ylim(bottom=0.0)
-    ends = [end for one in lines for end in (_along(one.shaft)[0], _along(one.shaft)[-1])]
-    margin = 0.04 * (max(ends) - min(ends))
-    shear.set_xlim(min(ends) - margin, max(ends) + margin)
-    for axes in panels:
-        _marks(axes, solved)
+    stress = _panel(lines, stresses, MEGAPASCAL, said("Equivalent stress"), solved)
+    for axes, chart in zip(
+        panels,
+        (
+            _in_planes(lines, (1, 2), "N", said("Shear force"), solved),
+            _in_planes(lines, (3, 4), "N*m", said("Bending moment"), solved),
+            _panel(lines, forces, _unit("N", forces), said("Axial force"), solved),
+            _panel(lines, torques, _unit("N*m", torques), said("Torque"), solved),
+            replace(stress, y=replace(stress.y, zero=True)),
+        ),
+        strict=True,
+    ):
+        _draw_low(replace(chart, x=replace(chart.x, limits=_extent(lines))), axes)
+        axes.set_xlabel("")
     machine = solved.machine
     _name_places(
-        shear, [(place_of(machine, b.shaft, b.position), b.name) for b in machine.bearings]
+        panels[0], [(place_of(machine, b.shaft, b.position), b.name) for b in machine.bearings]
     )
-    legend_above(shear, handles=[] if len(lines) == 1 else _handles(lines))
-    label_x(stress, said("x (mm)"))
+    label_x(panels[-1], said("x (mm)"))
     add_title(figure, title_of(solved, step))
     return figure
 
 
-def _flat(values: Iterable[FloatArray]) -> FloatArray:
-    return np.concatenate([one.ravel() for one in values])
+def _unit(unit: str, values: Iterable[FloatArray]) -> ReadableUnit:
+    return readable_unit(unit, np.concatenate([one.ravel() for one in values]))
 
 
 def _in_planes(
-    axes: Axes, lines: Sequence[_Line], planes: tuple[int, int], unit: str, name: str
-) -> None:
-    """Two components and what they make together."""
+    lines: Sequence[_Line], planes: tuple[int, int], unit: str, name: str, solved: SolvedMachine
+) -> Chart:
+    """Return two components and what they make together."""
     single = len(lines) == 1
     both = [one.shaft.force[one.step][..., planes] for one in lines]
-    read = readable_unit(unit, _flat([np.hypot(own[..., 0], own[..., 1]) for own in both]))
-    for one, own in zip(lines, both, strict=True):
-        x = np.repeat(_along(one.shaft), 2)
-        _plot_planes(axes, one, x, read.of(own.reshape(-1, 2)), single)
-    _label_panel(axes, name, read)
-
-
-def _label_panel(axes: Axes, name: str, unit: ReadableUnit) -> None:
-    """In two lines: panels are low."""
-    label_y(axes, name)
-    axes.set_ylabel(f"{name}\n({unit.symbol})", parse_math=False)
+    read = _unit(unit, [np.hypot(own[..., 0], own[..., 1]) for own in both])
+    series = [
+        line
+        for one, own in zip(lines, both, strict=True)
+        for line in _planes(
+            one, np.repeat(_along(one.shaft), 2), read.of(own.reshape(-1, 2)), single
+        )
+    ]
+    # names stand once, over the first panel
+    keys = list(_keys(lines)) if not single and planes[0] == 1 else []
+    if planes[0] != 1:
+        series = [replace(line, name="") for line in series]
+    return Chart((*series, *keys), Axis(label=said("x (mm)")), Axis(name, read.symbol),
+                 marks=_marks(solved))  # fmt: skip
 
 
 def _panel(
-    axes: Axes, lines: Sequence[_Line], values: Sequence[FloatArray], unit: ReadableUnit, name: str
-) -> None:
-    for one, own in zip(lines, values, strict=True):
-        color = "black" if len(lines) == 1 else one.look.color
-        axes.plot(np.repeat(_along(one.shaft), 2), unit.of(own.ravel()), color=color,
-                  linestyle="-" if len(lines) == 1 else one.look.linestyle)  # fmt: skip
-    _label_panel(axes, name, unit)
+    lines: Sequence[_Line],
+    values: Sequence[FloatArray],
+    unit: ReadableUnit,
+    name: str,
+    solved: SolvedMachine,
+) -> Chart:
+    """Return a number along each shaft."""
+    alone = len(lines) == 1
+    series = (
+        Line(np.repeat(_along(one.shaft), 2), unit.of(own.ravel()), "",
+             Look("ink") if alone else one.look)
+        for one, own in zip(lines, values, strict=True)
+    )  # fmt: skip
+    return Chart(tuple(series), Axis(label=said("x (mm)")), Axis(name, unit.symbol),
+                 marks=_marks(solved))  # fmt: skip
 
 
-def _moments(axes: Axes, solved: SolvedMachine, step: int) -> None:
-    several = len(solved.shafts) > 1
-    shear = axes.twinx()
-    looks = [(INNER, OUTER), (SERIES[2], SERIES[3]), (SERIES[4], SERIES[5])] * len(solved.shafts)
-    for one, (moment, force) in zip(solved.shafts.values(), looks, strict=False):
-        x = np.repeat(_along(one), 2)
-        axes.plot(x, one.bending_moment[step].ravel(), **moment.keywords(),
-                  label=_named(one, said("bending moment"), several))  # fmt: skip
-        shear.plot(x, one.shear_force[step].ravel(), **force.keywords())
-        axes.plot([], [], label=_named(one, said("shear force"), several), **force.keywords())
-    _marks(axes, solved)
-    label_y(axes, said("Moment (N·m)"))
-    label_y(shear, said("Shear force (N)"))
-    shear.grid(visible=False)
-    shear.spines["right"].set_visible(True)
-    axes.set_ylim(bottom=0.0)
-    shear.set_ylim(bottom=0.0)
-    legend_above(axes)
+def _draw_low(chart: Chart, axes: Axes) -> None:
+    """Draw a chart on a low panel, the label upright in two lines."""
+    draw(chart, axes)
+    axes.set_ylabel(f"{chart.y.name}\n({chart.y.unit})", parse_math=False)
 
 
-def _stress(axes: Axes, solved: SolvedMachine, step: int) -> None:
-    several = len(solved.shafts) > 1
-    for one, style in zip(solved.shafts.values(), SERIES * 3, strict=False):
-        axes.plot(np.repeat(_along(one), 2), 1e-6 * one.stress[step].ravel(),
-                  label=one.name if several else "_", **style.keywords())  # fmt: skip
-    _marks(axes, solved)
-    label_y(axes, said("Stress (MPa)"))
-    axes.set_ylim(bottom=0.0)
-    if several:
-        legend_above(axes)
-
-
-def _marks(axes: Axes, solved: SolvedMachine) -> None:
-    """Where bearings stand."""
-    machine = solved.machine
-    for one in machine.bearings:
-        axes.axvline(_MM * place_of(machine, one.shaft, one.position), color=GREY, linewidth=0.6,
-                     linestyle=":", zorder=0)  # fmt: skip
+def _marks(solved: SolvedMachine) -> tuple[Mark, ...]:
+    """Return where bearings stand."""
+    machine, look = solved.machine, Look("grey", "dot", width=0.45)
+    return tuple(
+        Mark(_MM * place_of(machine, one.shaft, one.position), "", look, "x")
+        for one in machine.bearings
+    )
 
 
 # --- over a field ---------------------------------------------------------------------------------
@@ -496,32 +465,39 @@ def machine_over_figure(found: MachineCurve) -> Figure:
     found
         Of a `rolamento.tasks.ShaftRequest`.
     """
-    machine, x = found.first.solved, found.values
+    machine = found.first.solved
     with styled():
         figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.85 * WIDTH * MILLIMETRE))
-        lives, pressures, tilts, bent = figure.subplots(2, 2, sharex=True).ravel()
-        for name, style in zip(machine.bearings, SERIES * 20, strict=False):
-            look = style.keywords()
-            lives.plot(x, found.of_bearing(name, "hours"), label=name, **look)
-            pressures.plot(x, 1e-6 * found.of_bearing(name, "max_pressure"), **look)
-            tilts.plot(x, 1e3 * found.of_bearing(name, "tilt"), **look)
-        lives.plot(x, found.hours, color="black", linewidth=2.0, label=said("together"))
-        for name, style in zip(machine.shafts, SERIES * 20, strict=False):
-            bent.plot(x, 1e6 * found.of_shaft(name, "deflection"), label=name, **style.keywords())
-        for axes, label in (
-            (lives, said("Life (h)")), (pressures, said("Maximum pressure (MPa)")),
-            (tilts, said("Tilt between the rings (mrad)")), (bent, said("Deflection (µm)")),
-        ):  # fmt: skip
-            label_y(axes, label)
-        log_scale(lives, "y")
-        for axes in (pressures, tilts, bent):
-            axes.set_ylim(bottom=0.0)
-        for axes in (tilts, bent):
-            label_x(axes, f"{found.key} ({found.unit})" if found.unit else found.key)
-        legend_above(lives)
-        legend_above(bent)
+        grid = figure.subplots(2, 2, sharex=True).ravel()
+        for place, (axes, chart) in enumerate(zip(grid, machine_over_charts(found), strict=True)):
+            draw(chart, axes, legend=place in (0, 3))
+        for axes in grid[:2]:
+            axes.set_xlabel("")
         add_title(figure, machine.title or said("Machine without a title"))
     return figure
+
+
+def machine_over_charts(found: MachineCurve) -> tuple[Chart, ...]:
+    """Return the lives, pressures and tilts of bearings, and the deflections of shafts."""
+    machine, x = found.first.solved, found.values
+    across = Axis(label=f"{found.key} ({found.unit})" if found.unit else found.key)
+
+    def chart(names: Iterable[str], of: Callable[[str], FloatArray], upright: Axis) -> Chart:
+        lines = (Line(x, of(name), name, series_look(i)) for i, name in enumerate(names))
+        return Chart(tuple(lines), across, upright)
+
+    lives = chart(machine.bearings, lambda name: found.of_bearing(name, "hours"),
+                  Axis(label=said("Life (h)"), log=True))  # fmt: skip
+    whole = Line(x, found.hours, said("together"), Look("ink", width=1.4))
+    return (
+        replace(lives, series=(*lives.series, whole)),
+        chart(machine.bearings, lambda name: 1e-6 * found.of_bearing(name, "max_pressure"),
+              Axis(label=said("Maximum pressure (MPa)"), zero=True)),
+        chart(machine.bearings, lambda name: 1e3 * found.of_bearing(name, "tilt"),
+              Axis(label=said("Tilt between the rings (mrad)"), zero=True)),
+        chart(machine.shafts, lambda name: 1e6 * found.of_shaft(name, "deflection"),
+              Axis(label=said("Deflection (µm)"), zero=True)),
+    )  # fmt: skip
 
 
 # --- bearings in their places ---------------------------------------------------------------------
@@ -682,31 +658,25 @@ def modes_figure(found: Modes, *, count: int = 4) -> Figure:
     count
         How many of them.
     """
-    some = range(min(count, len(found)))
-    with styled():
-        figure = Figure(figsize=(WIDTH * MILLIMETRE, 34.0 * len(some) * MILLIMETRE))
-        panels = figure.subplots(len(some), 1, sharex=True, squeeze=False)[:, 0]
-        for mode, axes in zip(some, panels, strict=True):
-            _mode(axes, found, mode)
-        label_x(panels[-1], said("x (mm)"))
-        legend_above(panels[0])
-        add_title(figure, found.machine.title or said("Machine without a title"))
-    return figure
+    shown = [mode_chart(found, mode) for mode in range(min(count, len(found)))]
+    title = found.machine.title or said("Machine without a title")
+    return charts(*shown, title=title, height=34.0 * len(shown))
 
 
-def _mode(axes: Axes, found: Modes, mode: int) -> None:
-    for name, shape in found.shape.items():
+def mode_chart(found: Modes, mode: int) -> Chart:
+    """Return a mode shape across the axis; names of the directions stand with the first."""
+    lines = []
+    for place, (name, shape) in enumerate(found.shape.items()):
         x = _MM * (found.machine.shaft(name).position + found.position[name])
-        own = shape[mode]
-        for axis, text, style in _directions():
-            values = own[:, axis]
+        for axis, look in ((0, series_look(2)), (1, series_look(0)), (2, series_look(1))):
+            values = shape[mode][:, axis]
             largest = values[np.abs(values).argmax()]
             turned = (values * np.conj(largest) / max(abs(largest), 1e-300)).real
-            axes.plot(x, turned, label=text, **style.keywords())
-    whirl = whirl_name(str(found.whirl[mode]))
-    hertz = float(found.frequency[mode]) / (2.0 * np.pi)
-    axes.set_ylabel(f"{number(hertz)} Hz\n{whirl}", fontsize=8.0, parse_math=False)
-    axes.set_ylim(-1.1, 1.1)
+            lines.append(Line(x, turned, "" if mode or place else "xyz"[axis], look))
+    hertz = number(float(found.frequency[mode]) / (2.0 * np.pi))
+    label = f"{hertz} Hz\n{whirl_name(str(found.whirl[mode]))}"
+    return Chart(tuple(lines), Axis(label=said("x (mm)")), Axis(limits=(-1.1, 1.1), label=label),
+                 label.replace("\n", ", "))  # fmt: skip
 
 
 def response_figure(found: UnbalanceResponse) -> Figure:
@@ -733,7 +703,3 @@ def response_figure(found: UnbalanceResponse) -> Figure:
         orbits.set_xlabel("")
         add_title(figure, found.machine.title or said("Machine without a title"))
     return figure
-
-
-def _directions() -> Iterable[tuple[int, str, Series]]:
-    return zip((0, 1, 2), ("x", "y", "z"), (SERIES[2], SERIES[0], SERIES[1]), strict=True)

@@ -8,18 +8,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, Zone, nothing, series_look
-from rolamento.charts.drawing import draw
-from rolamento.charts.frame import panels
+from rolamento.charts.drawing import figure
 from rolamento.charts.texts import no_result
 from rolamento.units import DEGREES
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.tasks.oscillation import OscillationCase
 
-__all__ = ["life_over_angle", "oscillation_figure"]
+__all__ = ["angle_chart", "oscillation_figure"]
 
 
 def oscillation_figure(found: OscillationCase) -> Figure:
@@ -30,24 +27,11 @@ def oscillation_figure(found: OscillationCase) -> Figure:
     found
         What `rolamento.tasks.life_in_oscillation` gives.
     """
-    return panels(lambda axes: life_over_angle(found, axes), title=found.solved.title, height=90.0)
-
-
-def life_over_angle(found: OscillationCase, axes: Axes | None = None) -> Axes:
-    """Draw both lives, the range in which a bearing frets, and the critical angles.
-
-    Parameters
-    ----------
-    found
-        As of `oscillation_figure`.
-    axes
-        To draw on; of a new figure if not given.
-    """
-    return draw(angle_chart(found), axes)
+    return figure(angle_chart(found), title=found.solved.title)
 
 
 def angle_chart(found: OscillationCase) -> Chart:
-    """Return both lives over the angle, and where a bearing frets."""
+    """Return both lives over the angle, where a bearing frets, and the critical angles."""
     life = found.life
     if life is None or not np.isfinite(found.lives).any():
         return nothing(no_result())

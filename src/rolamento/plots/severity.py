@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.charts.frame import GREY, add_title, label_x, label_y, panels
-from rolamento.charts.style import new_figure, styled
+from rolamento.charts import Axis, Bars, Chart, Look, Mark, Zone
+from rolamento.charts.drawing import draw, figure
+from rolamento.charts.style import new_figure
 from rolamento.charts.texts import shown_text
-from rolamento.plots.growth import growth_lines
+from rolamento.plots.growth import growth_chart, over_time
 from rolamento.words import marked, said
 from rolamento.words.sentences.severity import class_name
 
@@ -23,11 +25,12 @@ if TYPE_CHECKING:
 __all__ = ["severity_figure", "severity_trend_figure", "zone_bars"]
 
 _MILLI: Final = 1e3
-_COLOURS: Final = ("#BFE3C6", "#E7F0B5", "#FBD9A6", "#F3B0A1")
-_ZONES: Final = ("A", "B", "C", "D")
+_ZONES: Final = {"A": "good", "B": "fifth", "C": "outer", "D": "bad"}
+"""Their colours; each has its letter on it."""
 _ROOM: Final = 1.45
 """Multiple of the axis beyond the boundary C/D, or beyond the greatest velocity."""
 _MOST_NAMED: Final = 6
+_DASHES: Final = ("solid", "dash", "dashdot", "longdash", "longdashdot", "dashdotdot")
 _ALARM: Final = marked("alarm")
 
 
@@ -39,11 +42,8 @@ def severity_figure(
     title: str = "",
 ) -> Figure:
     """Draw velocities on zones, as `zone_bars`, with a title."""
-    return panels(
-        lambda axes: zone_bars(measured, classes, axes, setting=setting),
-        title=title,
-        height=38.0 + 16.0 * len(classes),
-    )
+    chart = zones_chart(measured, classes, setting)
+    return figure(chart, title=title, height=_height(classes))
 
 
 def zone_bars(
@@ -66,43 +66,57 @@ def zone_bars(
     setting
         Alarm and trip of the only class.
     """
-    with styled():
-        axes = new_figure(height=38.0 + 16.0 * len(classes))[1] if axes is None else axes
-        there = [(name, one) for name, one in measured if one.measured]
-        greatest = max([machine.velocity[-1] for machine in classes], default=0.01)
-        greatest = max([greatest, *(one.upper for _, one in there)]) * _ROOM * _MILLI
-        for row, machine in enumerate(classes):
-            edges = [0.0, *(_MILLI * edge for edge in machine.velocity), greatest]
-            for zone, colour, low, high in zip(_ZONES, _COLOURS, edges, edges[1:], strict=False):
-                axes.barh(row, high - low, left=low, height=0.62, color=colour, edgecolor="white")
-                axes.text(0.5 * (low + high), row, zone, ha="center", va="center", fontsize=9.0,
-                          color="#404040")  # fmt: skip
-        _velocities(axes, there, len(classes))
-        if setting is not None:
-            for value, name in ((setting.alarm, said(_ALARM)), (setting.trip, said("trip"))):
-                axes.axvline(_MILLI * value, color=GREY, linestyle=":", linewidth=1.2)
-                axes.text(_MILLI * value, -0.46, name, fontsize=7.5, color=GREY, ha="left",
-                          va="bottom", rotation=90.0)  # fmt: skip
-        axes.set_yticks(range(len(classes)))
-        axes.set_yticklabels([class_name(machine.name) for machine in classes])
-        axes.set_ylim(len(classes) - 0.5, -0.85)
-        axes.set_xlim(0.0, greatest)
-        axes.grid(visible=False)
-        label_x(axes, said("RMS velocity (mm/s)"))
-    return axes
+    axes = new_figure(height=_height(classes))[1] if axes is None else axes
+    return draw(zones_chart(measured, classes, setting), axes)
 
 
-def _velocities(axes: Axes, measured: Sequence[tuple[str, Severity]], rows: int) -> None:
-    named = len(measured) <= _MOST_NAMED
-    for place, (name, one) in enumerate(measured):
-        velocity = _MILLI * one.velocity
-        axes.axvspan(_MILLI * one.lower, _MILLI * one.upper, color="black", alpha=0.12, lw=0.0)
-        axes.axvline(velocity, color="black", linewidth=1.4)
-        if named:
-            axes.annotate(
-                shown_text(name, 26), (velocity, -0.85), (3.0, -3.0 - 8.0 * (place % 2)),
-                textcoords="offset points", fontsize=7.5, va="top", parse_math=False,
-            )  # fmt: skip
+def _height(classes: Sequence[MachineClass]) -> float:
+    return 42.0 + 16.0 * len(classes)
+
+
+def zones_chart(
+    measured: Sequence[tuple[str, Severity]],
+    classes: Sequence[MachineClass],
+    setting: AlarmSetting | None = None,
+) -> Chart:
+    """Return the chart of `zone_bars`."""
+    there = [(name, one) for name, one in measured if one.measured]
+    top = max([machine.velocity[-1] for machine in classes], default=0.01)
+    top = max([top, *(one.upper for _, one in there)]) * _ROOM
+    ends = _MILLI * np.array([[0.0, *machine.velocity, top] for machine in classes])
+    rows, few = tuple(range(len(classes))), len(there) <= _MOST_NAMED
+    zones = (
+        Bars(width, rows, "", Look(color, opacity=0.4), (zone,) * len(rows))
+        for (zone, color), width in zip(_ZONES.items(), np.diff(ends).T, strict=True)
+    )
+    marks = [
+        Mark(_MILLI * one.velocity, _with_velocity(name, one.velocity) if few else "",
+             Look("ink", _DASHES[place % len(_DASHES)]), "x")
+        for place, (name, one) in enumerate(there)
+    ]  # fmt: skip
+    if setting is not None:
+        for value, name in ((setting.alarm, said(_ALARM)), (setting.trip, said("trip"))):
+            marks.append(Mark(_MILLI * value, name, Look("grey", "dot", width=0.9), "x"))
+    intervals = (Zone(_MILLI * one.lower, _MILLI * one.upper, "", "ink", "x") for _, one in there)
+    return Chart(
+        tuple(zones),
+        Axis(limits=(0.0, _MILLI * top), label=said("RMS velocity (mm/s)")),
+        Axis(categories=tuple(class_name(machine.name) for machine in classes)),
+        "; ".join(_with_zones(name, one, classes) for name, one in there),
+        marks=tuple(marks),
+        zones=tuple(intervals),
+        stacked=True,
+    )
+
+
+def _with_velocity(name: str, velocity: float) -> str:
+    value = said("{value:.3 mm/s}", value=velocity)
+    return f"{shown_text(name, 26)}: {value}" if name else value
+
+
+def _with_zones(name: str, one: Severity, classes: Sequence[MachineClass]) -> str:
+    zones = dict.fromkeys(machine.zone_of(one.velocity) for machine in classes)
+    return f"{_with_velocity(name, one.velocity)} ({', '.join(zones)})"
 
 
 def severity_trend_figure(
@@ -129,26 +143,11 @@ def severity_trend_figure(
     title
         Of the figure.
     """
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        growth_lines(axes, times, velocities, found, limit_name=said("limit"))
-        top = axes.get_ylim()[1]
-        if machine is not None:
-            edges = [0.0, *(_MILLI * edge for edge in machine.velocity), 1e9]
-            for zone, colour, low, high in zip(_ZONES, _COLOURS, edges, edges[1:], strict=False):
-                if low < top:
-                    axes.axhspan(low, min(high, top), color=colour, alpha=0.55, zorder=0.0, lw=0.0)
-                    axes.text(0.995, 0.5 * (low + min(high, top)), zone, fontsize=9.0, ha="right",
-                              va="center", color="#404040",
-                              transform=axes.get_yaxis_transform())  # fmt: skip
-        axes.set_ylim(0.0, top)
-        label_x(
-            axes,
-            said("Days from {date}", date=start)
-            if start
-            else said("Running time ({unit})", unit="h"),
-        )
-        label_y(axes, said("RMS velocity (mm/s)"))
-        if title:
-            add_title(figure, title)
-    return figure
+    edges = [] if machine is None else [0.0, *(_MILLI * e for e in machine.velocity), np.inf]
+    zones = [
+        Zone(low, high, zone, color)
+        for (zone, color), low, high in zip(_ZONES.items(), edges, edges[1:], strict=False)
+    ]
+    upright = said("RMS velocity (mm/s)")
+    chart = growth_chart(times, velocities, found, over_time(start), upright, zones)
+    return figure(chart, title=title, height=95.0)

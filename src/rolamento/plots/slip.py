@@ -7,13 +7,13 @@ from typing import Final, Literal
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
-from rolamento.charts.axes_units import MILLIMETRE
+from rolamento.charts import Arrows, Axis, Chart, Field, Line, Look, nothing, once
+from rolamento.charts.axes_units import MEGAPASCAL, MILLIMETRE, ReadableUnit
 from rolamento.charts.contacts import refuse_rollers
-from rolamento.charts.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y
-from rolamento.charts.style import in_style, new_figure, new_stacked_figure
+from rolamento.charts.drawing import draw, figure
+from rolamento.charts.style import new_figure
 from rolamento.charts.texts import no_result, number
 from rolamento.friction.slip import (
     Patch,
@@ -30,21 +30,21 @@ from rolamento.solved import Solved
 from rolamento.validate import one_of, whole_number
 from rolamento.words import said
 
-__all__ = ["QUANTITIES", "Quantity", "slip_map", "slip_maps"]
+__all__ = ["QUANTITIES", "Quantity", "slip_chart", "slip_map", "slip_maps"]
 
 Floats = NDArray[np.float64]
 Quantity = Literal["slip", "pressure", "pressure_slip"]
 QUANTITIES: Final[tuple[Quantity, ...]] = ("slip", "pressure", "pressure_slip")
 
 _GRID: Final = 161
-_LEVELS: Final = 16
+_LEVELS: Final = 24
 _ARROWS: Final = (13, 5)
 _HEAVIEST: Final = -1
 
-_UNITS: Final[Mapping[str, tuple[float, str]]] = {
-    "slip": (1.0, "m/s"),
-    "pressure": (1e-6, "MPa"),
-    "pressure_slip": (1e-6, "W/mm²"),
+_UNITS: Final[Mapping[str, ReadableUnit]] = {
+    "slip": ReadableUnit("m/s", 1.0),
+    "pressure": MEGAPASCAL,
+    "pressure_slip": ReadableUnit("W/mm²", 1e-6),
 }
 
 
@@ -60,7 +60,6 @@ class _Contact:
         return bool(self.patch.load[0] > 0.0)
 
 
-@in_style
 def slip_map(
     solved: Solved,
     axes: Axes | None = None,
@@ -69,7 +68,27 @@ def slip_map(
     race: Race = "inner",
     ball: int = _HEAVIEST,
 ) -> Axes:
-    """Draw slip, pressure or their product over one contact ellipse.
+    """Draw slip, pressure or their product over one contact ellipse, as `slip_chart` has it.
+
+    axes: to draw on, with a colour bar beside them; of a new figure if not given.
+    """
+    axes = new_figure(height=62.0)[1] if axes is None else axes
+    return draw(slip_chart(solved, quantity, race, ball), axes)
+
+
+def slip_maps(solved: Solved, *, race: Race = "inner", ball: int = _HEAVIEST) -> tuple[Axes, ...]:
+    """Draw slip, pressure and their product of one contact below each other, in a new figure.
+
+    Parameters and errors as of `slip_chart`.
+    """
+    charts = (slip_chart(solved, quantity, race, ball) for quantity in QUANTITIES)
+    return tuple(figure(*charts, height=170.0, own=True).axes[: len(QUANTITIES)])
+
+
+def slip_chart(
+    solved: Solved, quantity: Quantity = "slip", race: Race = "inner", ball: int = _HEAVIEST
+) -> Chart:
+    """Return slip, pressure or their product over one contact ellipse.
 
     The motion is that of the solved case, by its raceway control. Lines of pure rolling are dashed;
     arrows show how the race slips over the ball; a cross marks the maximum product.
@@ -77,9 +96,7 @@ def slip_map(
     Parameters
     ----------
     solved
-        A single solved case; without a result, a frame that says why is drawn.
-    axes
-        To draw on; of a new figure if not given.
+        A single solved case; without a result, a chart that says why.
     quantity
         ``"slip"``, ``"pressure"`` or ``"pressure_slip"``.
     race
@@ -87,38 +104,48 @@ def slip_map(
     ball
         Counted from 0; the one with the maximum load on this race if not given.
 
-    Returns
-    -------
-    Axes
-        Those given, with a colour bar beside them.
-
     Raises
     ------
     InputError
         If this is no ball bearing, there is no such ball, or the quantity is not known.
     """
-    axes = new_figure(height=62.0)[1] if axes is None else axes
     one_of(quantity, "quantity", QUANTITIES)
     refuse_rollers(solved)
     if not solved.converged[0]:
-        return empty_frame(axes, no_result(str(solved.status.code[0])))
+        return nothing(no_result(str(solved.status.code[0])))
     contact = _contact(solved, race, ball)
     if not contact.touches:
-        return empty_frame(axes, said("ball and race do not touch"))
-    _draw(axes, contact, quantity)
-    return axes
-
-
-@in_style
-def slip_maps(solved: Solved, *, race: Race = "inner", ball: int = _HEAVIEST) -> tuple[Axes, ...]:
-    """Draw slip, pressure and their product of one contact below each other, in a new figure.
-
-    Parameters and errors as of `slip_map`.
-    """
-    _, frames = new_stacked_figure(len(QUANTITIES), height=170.0)
-    for axes, quantity in zip(frames, QUANTITIES, strict=True):
-        slip_map(solved, axes, quantity=quantity, race=race, ball=ball)
-    return frames
+        return nothing(said("ball and race do not touch"))
+    a, b = (
+        float(MILLIMETRE.of(x)[0]) for x in (contact.patch.semi_major, contact.patch.semi_minor)
+    )
+    u = np.linspace(-1.0, 1.0, _GRID)[:, np.newaxis] * np.ones(_GRID)
+    v = np.sqrt(1.0 - u**2) * np.linspace(-1.0, 1.0, _GRID)
+    unit = _UNITS[quantity]
+    values = unit.of(_values(contact, quantity, u, v))
+    turn = np.linspace(0.0, 2.0 * np.pi, _GRID)
+    edge = Line(a * np.cos(turn), b * np.sin(turn), "", Look("ink", width=0.65))
+    series: list[Field | Line | Arrows] = [
+        Field(a * u, b * v, values, Axis(_name_of(quantity), unit.symbol), _LEVELS), edge,
+    ]  # fmt: skip
+    conclusion = ""
+    if quantity != "pressure":
+        series += _rolling(contact, a, b)
+    if quantity == "slip":
+        series.append(_arrows(contact, a, b))
+    if quantity == "pressure_slip":
+        found = maximum_pressure_slip(contact.patch, contact.motion)
+        value = f"{number(float(unit.of(found.value[0])))} {unit.symbol}"
+        conclusion = said("maximum, {value}", value=value)
+        look = Look("white", mark="thin", width=1.4)
+        series.append(Line(a * found.across[:1], b * found.along[:1], conclusion, look, "points"))
+    return Chart(
+        tuple(series),
+        Axis(said("Across rolling"), MILLIMETRE.symbol, (-1.05 * a, 1.05 * a)),
+        Axis(said("Along rolling"), MILLIMETRE.symbol, (-1.15 * b, 1.15 * b)),
+        conclusion,
+        _name_of(quantity),
+    )
 
 
 def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
@@ -135,44 +162,6 @@ def _contact(solved: Solved, race: Race, ball: int) -> _Contact:
         one(motion.drift), one(motion.roll), one(motion.twist), one(motion.tumble), motion.side
     )
     return _Contact(patch.mapped(one), chosen)
-
-
-def _draw(axes: Axes, contact: _Contact, quantity: Quantity) -> None:
-    """Draw the map, the edge of the ellipse, the lines, the arrows and the maximum."""
-    a, b = (
-        float(MILLIMETRE.of(x)[0]) for x in (contact.patch.semi_major, contact.patch.semi_minor)
-    )
-    steps = np.linspace(-1.0, 1.0, _GRID)
-    u, v = np.meshgrid(steps, steps, indexing="ij")
-    factor, unit = _UNITS[quantity]
-    values = factor * _values(contact, quantity, u, v)
-    edge = Ellipse((0.0, 0.0), 2.0 * a, 2.0 * b, fill=False, linewidth=0.9, zorder=3.0)
-    drawn = axes.contourf(a * u, b * v, values, levels=_LEVELS)
-    drawn.set_gid("colour-map")  # pages in the dark leave it as it is
-    axes.add_patch(edge)
-    drawn.set_clip_path(edge)
-    bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers())
-    bar.set_label(f"{_name_of(quantity)} ({unit})")
-    if quantity != "pressure":
-        _draw_lines(axes, contact, a, b)
-    if quantity == "slip":
-        _draw_arrows(axes, contact, a, b)
-    if quantity == "pressure_slip":
-        _mark_maximum(axes, contact, a, b)
-    axes.set_xlim(-1.05 * a, 1.05 * a)
-    axes.set_ylim(-1.15 * b, 1.15 * b)
-    axes.grid(False)
-    label_x(axes, MILLIMETRE.label(said("Across rolling")))
-    label_y(axes, MILLIMETRE.label(said("Along rolling")))
-    if axes.get_legend_handles_labels()[0]:
-        axes.legend(
-            loc="lower left",
-            bbox_to_anchor=(0.0, 1.0),
-            ncols=2,
-            facecolor="#8A8A8A",
-            frameon=True,
-            borderaxespad=0.2,
-        )
 
 
 def _name_of(quantity: Quantity) -> str:
@@ -193,48 +182,24 @@ def _values(contact: _Contact, quantity: Quantity, u: Floats, v: Floats) -> Floa
     return speed if quantity == "slip" else np.asarray(speed * pressure)
 
 
-def _draw_lines(axes: Axes, contact: _Contact, a: float, b: float) -> None:
+def _rolling(contact: _Contact, a: float, b: float) -> list[Line]:
+    """Return lines along which nothing slips along rolling."""
     lines = rolling_lines(contact.patch, contact.motion)[0]
-    label = said("no slip along rolling")
-    for line in lines[np.isfinite(lines)]:
-        reach = b * float(np.sqrt(1.0 - line**2))
-        axes.plot([a * line, a * line], [-reach, reach], "w--", linewidth=1.1, label=label)
-        label = "_"
+    look = Look("white", "dash", width=0.8)
+    reach = b * np.sqrt(1.0 - np.square(lines))
+    found = [
+        Line(np.full(2, a * line), np.array([-end, end]), said("no slip along rolling"), look)
+        for line, end in zip(lines, reach, strict=True)
+        if np.isfinite(line)
+    ]
+    return list(once(found))
 
 
-def _draw_arrows(axes: Axes, contact: _Contact, a: float, b: float) -> None:
-    """Direction of the slip at some points, all arrows of one length on the page."""
+def _arrows(contact: _Contact, a: float, b: float) -> Arrows:
+    """Return the direction of the slip at some points."""
     across, along = (np.linspace(-0.9, 0.9, count) for count in _ARROWS)
     u, v = (array.ravel() for array in np.meshgrid(across, along, indexing="ij"))
     inside = u**2 + v**2 < 0.95
     u, v = u[inside], v[inside]
     slip = slip_velocity(contact.patch, contact.motion, u, v)
-    speed = np.maximum(slip.speed[0], np.finfo(np.float64).tiny)
-    axes.quiver(
-        a * u,
-        b * v,
-        slip.transverse[0] / speed,
-        slip.rolling[0] / speed,
-        color="white",
-        scale=34.0,
-        width=0.0028,
-        pivot="middle",
-        zorder=4.0,
-    )
-
-
-def _mark_maximum(axes: Axes, contact: _Contact, a: float, b: float) -> None:
-    found = maximum_pressure_slip(contact.patch, contact.motion)
-    factor, unit = _UNITS["pressure_slip"]
-    value = f"{number(float(factor * found.value[0]))} {unit}"
-    axes.plot(
-        [a * found.across[0]],
-        [b * found.along[0]],
-        "x",
-        color="white",
-        markersize=6.0,
-        markeredgewidth=1.6,
-        linestyle="none",
-        label=said("maximum, {value}", value=value),
-        zorder=4.0,
-    )
+    return Arrows(a * u, b * v, slip.transverse[0], slip.rolling[0])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -11,8 +10,7 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
 from rolamento.charts.axes_units import readable_unit
-from rolamento.charts.drawing import draw
-from rolamento.charts.frame import panels
+from rolamento.charts.drawing import figure
 from rolamento.charts.texts import no_result
 from rolamento.words import said
 
@@ -34,8 +32,7 @@ def static_figure(curve: LoadCurve) -> Figure:
         What `rolamento.safety.static_over_load` gives.
     """
     charts = [_safety(curve), *([_gaps(curve)] if curve.gap.shape[1] > 1 else [])]
-    drawn = [partial(draw, chart) for chart in charts]
-    return panels(*drawn, title=curve.case.title, height=140.0 if len(drawn) > 1 else 95.0)
+    return figure(*charts, title=curve.case.title, height=140.0 if len(charts) > 1 else 95.0)
 
 
 def _safety(curve: LoadCurve) -> Chart:

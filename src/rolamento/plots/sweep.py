@@ -4,33 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import BoundaryNorm
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch, Rectangle
-from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from rolamento.charts.axes_units import NONE, PERCENT, ReadableUnit
-from rolamento.charts.frame import (
-    GREY,
-    PlainNumbers,
-    empty_frame,
-    figure_of,
-    in_lines,
-    label_x,
-    label_y,
-    legend_above,
-    log_scale,
+from rolamento.charts import (
+    Axis,
+    Chart,
+    Field,
+    Line,
+    Look,
+    Mark,
+    Spread,
+    key,
+    nothing,
+    series_look,
+    step_line,
 )
-from rolamento.charts.style import SERIES, Series, in_style, new_figure, series
+from rolamento.charts.axes_units import NONE, PERCENT, ReadableUnit
+from rolamento.charts.drawing import draw
+from rolamento.charts.palette import SERIES
+from rolamento.charts.style import new_figure
 from rolamento.charts.texts import no_result, no_result_count, number
 from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile
-from rolamento.plots.curves import MOST_MARKERS
+from rolamento.plots.curves import form_of
 from rolamento.plots.study import (
     PlottedVariable,
     StudyData,
@@ -50,17 +50,11 @@ Floats = NDArray[np.float64]
 MOST_LINES: Final = len(SERIES)
 _BAND: Final = (5.0, 95.0)
 _LOG_SPAN: Final = 10.0
-_HATCH: Final[dict[str, Any]] = {
-    "facecolor": "#E4E4E4",
-    "edgecolor": "#A0A0A0",
-    "hatch": "////",
-    "linewidth": 0.0,
-}
-_COLOUR_STEPS: Final = 9
-_PERCENTS: Final = ((5.0, "--"), (50.0, "-"), (95.0, "-."))
+_PERCENTS: Final = ((5.0, "dash"), (50.0, "solid"), (95.0, "dashdot"))
 _COUNTED: Final = ("ball", "row")
 _FEWEST_BINS: Final = 5
 _MOST_BINS: Final = 60
+_MISSING: Final = Look("grey", mark="thin", width=0.8)
 
 
 def telling_kind(study: StudyData, variable: str = "") -> str:
@@ -80,40 +74,13 @@ def telling_kind(study: StudyData, variable: str = "") -> str:
     return "lines" if few else "map"
 
 
-@in_style
 def study_lines(
     study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
-    """Draw an output over one axis of a study; of further axes, a line for each of their values.
-
-    Along samples, the median is drawn and a band from the 5th to the 95th percentile. A case
-    without a result leaves a gap, with a cross below it. Variants, rows and balls are lines.
-
-    Parameters
-    ----------
-    study
-        A Dataset of `rolamento.studies`.
-    variable
-        Name of the output; the most specific one if not given.
-    axes
-        To draw on; of a new figure if not given.
-    over
-        The axis that runs across; if not given the longer one.
-
-    Returns
-    -------
-    Axes
-        Those given.
-
-    Raises
-    ------
-    InputError
-        If there is no such output or axis, or there would be more lines than can be distinguished.
-    """
+    """Draw an output over one axis of a study, as `lines_chart` has it."""
     return compared_lines({"": study}, variable, axes, over=over)
 
 
-@in_style
 def compared_lines(
     studies: Mapping[str, StudyData],
     variable: str = "",
@@ -121,20 +88,34 @@ def compared_lines(
     *,
     over: str = "",
 ) -> Axes:
-    """Draw an output of several studies over one axis that they all have, in one frame.
+    """Draw an output of several studies over one axis that they all have, as `lines_chart` has it.
+
+    axes: to draw on; of a new figure if not given.
+    """
+    return draw(lines_chart(studies, variable, over), axes)
+
+
+def lines_chart(studies: Mapping[str, StudyData], variable: str = "", over: str = "") -> Chart:
+    """Return an output over one axis of studies; of further axes, a line for each of their values.
+
+    Along samples, the median is drawn and a band from the 5th to the 95th percentile. A case
+    without a result leaves a gap, with a cross below it. Variants, rows and balls are lines.
 
     Parameters
     ----------
     studies
-        Datasets by what the legend is to call them; of a single one the name may be empty. Their
-        grids may differ.
-    variable, axes, over
-        As of `study_lines`.
+        Datasets of `rolamento.studies` by what the legend is to call them; of a single one the
+        name may be empty. Their grids may differ.
+    variable
+        Name of the output; the most specific one if not given.
+    over
+        The axis that runs across; if not given the longer one.
 
     Raises
     ------
     InputError
-        As `study_lines`, or if the studies do not fit: naming what differs.
+        If there is no such output or axis, there would be more lines than can be distinguished,
+        or the studies do not fit: naming what differs.
     """
     tables = _fitting(studies, variable, over)
     several = len(tables) > 1
@@ -143,10 +124,9 @@ def compared_lines(
             said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
         )  # fmt: skip
-    axes = new_figure()[1] if axes is None else axes
     first, study = next(iter(tables.values())), next(iter(studies.values()))
     if not any(np.isfinite(table.values).any() for table in tables.values()):
-        return nothing_to_draw(axes, study)
+        return nothing(why_nothing(study))
     lines = [line for label, table in tables.items() for line in _lines(label, table)]
     banded = any(line.values.ndim == 2 for line in lines)
     if len(lines) > MOST_LINES:
@@ -163,28 +143,43 @@ def compared_lines(
         )
     x = _joined([table.x for table in tables.values()])
     y = _joined([table.output for table in tables.values()])
+    series: list[Line | Spread] = []
     for index, line in enumerate(lines):
         across, values = _shown(line.table.x, x), _shown(line.table.output, y, line.values)
-        if line.values.ndim == 2:
-            _spread(axes, x, across, values, series(index), line.label)
-        else:
-            _line(axes, x, across, values, series(index), line.label or None)
+        look, form = series_look(index), "both" if x.texts else form_of(len(values))
+        if line.values.ndim == 1:
+            series.append(Line(across, values, line.label, look, form))
+            continue
+        low, middle, high = (_percentile(values, one) for one in (_BAND[0], 50.0, _BAND[1]))
+        band = said("{least} % to {most} %", least=_BAND[0], most=_BAND[1])
+        before = f"{line.label}: " if line.label else ""
+        series.append(Spread(across, low, high, before + band, look))
+        series.append(Line(across, middle, before + said("median"), look, form))
+    why = first_reason(*studies.values())
     for table in tables.values():
-        _mark_missing(axes, _shown(table.x, x), table.values, first_reason(*studies.values()))
-    _scale(axes, "x", x)
-    label_y(axes, y.label)
+        missing = np.isnan(table.values)
+        if missing.any():
+            places = _shown(table.x, x)[missing.reshape(len(missing), -1).any(axis=1)]
+            name = no_result_count(int(missing.sum()), missing.size, why)
+            series.append(Line(places, np.zeros(len(places)), name, _MISSING, "points",
+                               height=0.02))  # fmt: skip
     alone = len(tables) == 1 and len(first.others) == 1 and not banded
-    legend_above(axes, title=_dim_label(study, first.others[0]) if alone else "")
-    return axes
+    over_names = _dim_label(study, first.others[0]) if alone else ""
+    return Chart(tuple(series), _axis(x), Axis(label=y.label), over_names=over_names)
 
 
-@in_style
 def study_map(
     study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
-    """Draw an output over two axes of a study as a map of colours; no result is hatched.
+    """Draw an output over two axes of a study, as `map_chart` has it."""
+    axes = new_figure(height=100.0)[1] if axes is None else axes
+    return draw(map_chart(study, variable, over), axes)
 
-    Parameters and errors as of `study_lines`; `over` is the axis that runs across.
+
+def map_chart(study: StudyData, variable: str = "", over: str = "") -> Chart:
+    """Return an output over two axes of a study as a map of colours; no result is hatched.
+
+    Parameters and errors as of `lines_chart`; `over` is the axis that runs across.
     """
     table = _table(study, variable, over)
     if len(table.others) != 1 or table.samples or table.along == SAMPLE:
@@ -192,26 +187,25 @@ def study_map(
             said("needs a study with two axes"), field="kind", value="map",
             example="histogram" if table.samples or table.along == SAMPLE else "lines",
         )  # fmt: skip
-    axes = new_figure(height=100.0)[1] if axes is None else axes
     if not np.isfinite(table.values).any():
-        return nothing_to_draw(axes, study)
+        return nothing(why_nothing(study))
     x, y = table.x, axis_of(study, table.others[0], table.values.shape[1])
-    _colour(axes, x, y, table)
+    order_x, order_y = np.argsort(x.values), np.argsort(y.values)
     missing = int(np.sum(np.isnan(table.values)))
-    axes.grid(False)
-    if missing:
-        axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, zorder=0.5, **_HATCH))
-        count = no_result_count(missing, table.values.size, first_reason(study))
-        legend_above(axes, handles=[Patch(label=count, **_HATCH)])
-    return axes
+    count = no_result_count(missing, table.values.size, first_reason(study)) if missing else ""
+    colours = Field(
+        _edges(x.values[order_x]), _edges(y.values[order_y]),
+        table.values[np.ix_(order_x, order_y)].T, Axis(label=table.output.label), missing=count,
+    )  # fmt: skip
+    return Chart((colours,), _axis(x, ends=True), _axis(y, ends=True))
 
 
-def nothing_to_draw(axes: Axes, study: StudyData) -> Axes:
-    """Draw an empty frame with the reason that most cases give."""
+def why_nothing(study: StudyData) -> str:
+    """Say why there is nothing to draw: the reason that most cases give."""
     failure = common_failure(study)
     if not failure:
-        return empty_frame(axes, said("No case has this number"))
-    return empty_frame(axes, ": ".join(filter(None, (no_result(failure), first_reason(study)))))
+        return said("No case has this number")
+    return ": ".join(filter(None, (no_result(failure), first_reason(study))))
 
 
 class _Table(NamedTuple):
@@ -390,36 +384,10 @@ def _longest(study: StudyData, output: PlottedVariable) -> str:
     return max(output.dims, key=rank)
 
 
-def _line(
-    axes: Axes,
-    x: PlottedVariable,
-    across: Floats,
-    values: Floats,
-    look: Series,
-    label: str | None = None,
-) -> None:
-    markers = len(values) <= MOST_MARKERS or bool(x.texts)
-    axes.plot(across, values, label=label, **look.keywords(markers=markers))
-
-
 def _value(column: PlottedVariable, index: int) -> str:
     if column.texts:
         return column.texts[int(column.values[index])]
     return number(float(column.values[index]))
-
-
-def _spread(
-    axes: Axes, x: PlottedVariable, across: Floats, values: Floats, look: Series, label: str
-) -> None:
-    """Draw the median of the samples and a band around it."""
-    low, middle, high = (_percentile(values, percent) for percent in (_BAND[0], 50.0, _BAND[1]))
-    band = said("{least} % to {most} %", least=_BAND[0], most=_BAND[1])
-    median = said("median")
-    axes.fill_between(
-        across, low, high, color=look.color, alpha=0.2, linewidth=0.0,
-        label=f"{label}: {band}" if label else band,
-    )  # fmt: skip
-    _line(axes, x, across, middle, look, f"{label}: {median}" if label else median)
 
 
 def _percentile(values: Floats, percent: float) -> Floats:
@@ -427,32 +395,19 @@ def _percentile(values: Floats, percent: float) -> Floats:
     return np.array([percentile(row, percent) for row in values])
 
 
-def _mark_missing(axes: Axes, across: Floats, values: Floats, why: str) -> None:
-    missing = np.isnan(values)
-    count = int(missing.sum())
-    if count:
-        places = across[missing.reshape(len(values), -1).any(axis=1)]
-        axes.plot(
-            places,
-            np.full(len(places), 0.02),
-            transform=axes.get_xaxis_transform(),
-            color=GREY,
-            linestyle="",
-            marker="x",
-            label=no_result_count(count, values.size, why),
-        )
-
-
-def _scale(axes: Axes, name: str, column: PlottedVariable) -> None:
-    """Label an axis with what runs along it."""
-    (label_x if name == "x" else label_y)(axes, column.label)
-    axis = axes.xaxis if name == "x" else axes.yaxis
+def _axis(column: PlottedVariable, *, ends: bool = False) -> Axis:
+    """Return the axis along which something runs; ends: whether it has the ends of the numbers."""
     if column.texts:
-        axis.set_ticks(np.arange(float(len(column.texts))), list(column.texts))
-    elif _in_ratios(column.values):
-        log_scale(axes, name)
-    elif column.unit is NONE and np.array_equal(column.values, np.round(column.values)):
-        axis.set_major_locator(MaxNLocator(integer=True))
+        return Axis(
+            label=column.label, ticks=tuple((float(i), one) for i, one in enumerate(column.texts))
+        )
+    low, high = float(column.values.min()), float(column.values.max())
+    log = _in_ratios(column.values)
+    whole = column.unit is NONE and np.array_equal(column.values, np.round(column.values))
+    return Axis(
+        label=column.label, limits=(low, high) if ends and low < high else None, log=log,
+        whole=whole and not log,
+    )  # fmt: skip
 
 
 def _in_ratios(values: Floats) -> bool:
@@ -461,38 +416,6 @@ def _in_ratios(values: Floats) -> bool:
         return False
     ratios = np.diff(np.log(values))
     return bool(np.allclose(ratios, ratios[0], rtol=0.05))
-
-
-def _colour(axes: Axes, x: PlottedVariable, y: PlottedVariable, table: _Table) -> None:
-    """Draw the cells, in few colours that the bar distinguishes."""
-    order_x, order_y = np.argsort(x.values), np.argsort(y.values)
-    values = table.values[np.ix_(order_x, order_y)].T
-    least, greatest = np.nanmin(values), np.nanmax(values)
-    steps = MaxNLocator(_COLOUR_STEPS, steps=[1, 2, 2.5, 5, 10]).tick_values(least, greatest)
-    _scale(axes, "x", x)
-    _scale(axes, "y", y)
-    mesh = axes.pcolormesh(
-        _edges(x.values[order_x]),
-        _edges(y.values[order_y]),
-        np.ma.masked_invalid(values),
-        norm=BoundaryNorm(_within(steps, least, greatest), 256),
-        rasterized=True,
-        zorder=1.0,
-    )
-    for column, limit in ((x, axes.set_xlim), (y, axes.set_ylim)):
-        if not column.texts and column.values.min() < column.values.max():
-            limit(column.values.min(), column.values.max())
-    bar: Any = figure_of(axes).colorbar(mesh, ax=axes, format=PlainNumbers())
-    bar.set_label(in_lines(table.output.label), parse_math=False)
-    bar.ax.tick_params(labelsize=8.0)
-
-
-def _within(steps: Sequence[float] | Floats, least: float, greatest: float) -> Floats:
-    """Return the steps that hold the values, two at least."""
-    bounds = np.asarray(steps, dtype=np.float64)
-    first = max(int(np.searchsorted(bounds, least, side="right")) - 1, 0)
-    last = min(int(np.searchsorted(bounds, greatest, side="left")), len(bounds) - 1)
-    return bounds[first : max(last, first + 1) + 1]
 
 
 def _edges(values: Floats) -> Floats:
@@ -505,49 +428,38 @@ def _edges(values: Floats) -> Floats:
     return edges
 
 
-@in_style
 def study_histogram(study: StudyData, variable: str = "", axes: Axes | None = None) -> Axes:
-    """Draw how an output is distributed over the samples, with median and percentiles.
-
-    Parameters
-    ----------
-    study
-        A Dataset of `rolamento.studies`.
-    variable
-        Name of the output; the most specific one if not given.
-    axes
-        To draw on; of a new figure if not given.
-
-    Returns
-    -------
-    Axes
-        Those given; shares are of the samples that have a result.
-
-    Raises
-    ------
-    InputError
-        If there is no such output, or it does not vary along samples alone.
-    """
+    """Draw how an output is distributed over the samples, as `histogram_chart` has it."""
     return compared_histograms({"": study}, variable, axes)
 
 
-@in_style
 def compared_histograms(
     studies: Mapping[str, StudyData], variable: str = "", axes: Axes | None = None
 ) -> Axes:
-    """Draw how an output is distributed over the samples of several studies, or of variants.
+    """Draw how an output of several studies is distributed, as `histogram_chart` has it."""
+    return draw(histogram_chart(studies, variable), axes)
+
+
+def histogram_chart(studies: Mapping[str, StudyData], variable: str = "") -> Chart:
+    """Return how an output is distributed over the samples of studies, or of variants.
 
     Parameters
     ----------
     studies
         Datasets by what the legend is to call them; of a single one the name may be empty.
-    variable, axes
-        As of `study_histogram`.
+    variable
+        Name of the output; the most specific one if not given.
+
+    Returns
+    -------
+    Chart
+        Shares are of the samples that have a result; of one distribution with its percentiles.
 
     Raises
     ------
     InputError
-        As `study_histogram`, or if there are more than can be distinguished.
+        If there is no such output, it does not vary along samples alone, or there are more than
+        can be distinguished.
     """
     first = next(iter(studies.values()))
     name = variable or most_telling(first)
@@ -566,43 +478,35 @@ def compared_histograms(
             field="kind",
             value="histogram",
         )
-    axes = new_figure()[1] if axes is None else axes
     output = _joined(list(columns.values()))
     shown = {label: _shown(column, output) for label, column in columns.items()}
     values = np.concatenate(list(shown.values()))
-    values = values[np.isfinite(values)]
-    if not values.size:
-        return nothing_to_draw(axes, first)
+    found = values[np.isfinite(values)]
+    if not found.size:
+        return nothing(why_nothing(first))
     fewest = min(int(np.isfinite(own).sum()) for own in shown.values()) or 1
     bins = int(np.clip(np.ceil(2.0 * fewest ** (1.0 / 3.0)), _FEWEST_BINS, _MOST_BINS))
-    edges = np.histogram_bin_edges(values, bins)
+    edges = np.histogram_bin_edges(found, bins)
+    alone, marks = len(shown) == 1, []
+    series: list[Line] = []
     for index, (label, own) in enumerate(shown.items()):
         there = own[np.isfinite(own)]
-        weights = np.full(there.size, PERCENT.factor / max(there.size, 1))
-        if len(shown) == 1:
-            axes.hist(
-                there,
-                bins=edges.tolist(),
-                weights=weights,
-                facecolor="#9FC6DF",
-                edgecolor=series(0).color,
-                linewidth=0.6,
-            )
-            _draw_percentiles(axes, there, output.unit, upright=True)
-            continue
-        look = series(index)
+        shares = PERCENT.of(np.histogram(there, edges)[0] / max(there.size, 1))
+        if alone:
+            marks = percentile_marks(there, output.unit, "x")
         middle = number(percentile(there, 50.0), 5) if there.size else no_result()
         median = said("median {value} {unit}", value=middle, unit=output.unit.symbol)
-        axes.hist(
-            there, bins=edges.tolist(), weights=weights, histtype="step", color=look.color,
-            linestyle=look.linestyle, linewidth=1.4,
-            label=f"{label}: {median}".removesuffix(f" {NONE.symbol}"),
-        )  # fmt: skip
-    _count_missing(axes, np.concatenate(list(shown.values())), first_reason(*studies.values()))
-    label_x(axes, output.label)
-    label_y(axes, PERCENT.label(said("Share of the samples")))
-    legend_above(axes)
-    return axes
+        name = "" if alone else f"{label}: {median}".removesuffix(f" {NONE.symbol}")
+        series.append(Line(*step_line(edges, shares), name, series_look(index), filled=alone))
+    series += _missing(values, first_reason(*studies.values()))
+    share = PERCENT.label(said("Share of the samples"))
+    return Chart(
+        tuple(series),
+        Axis(label=output.label),
+        Axis(label=share, zero=True),
+        marks[1].name if len(marks) > 1 else "",
+        marks=tuple(marks),
+    )
 
 
 def _samples_by_label(
@@ -620,41 +524,36 @@ def _samples_by_label(
         yield called, replace(output, dims=(SAMPLE,), values=values)
 
 
-@in_style
 def study_scatter(
     study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
-    """Draw an output of every sample over an input, with median and percentiles of the output.
+    """Draw an output of every sample over an input, as `scatter_chart` has it."""
+    return draw(scatter_chart(study, variable, over), axes)
 
-    Parameters and errors as of `study_histogram`; `over` names an input, or another output; the
+
+def scatter_chart(study: StudyData, variable: str = "", over: str = "") -> Chart:
+    """Return an output of every sample over an input, with median and percentiles of the output.
+
+    Parameters and errors as of `histogram_chart`; `over` names an input, or another output; the
     first input if not given.
     """
     output = _along_samples(study, variable, "scatter")
     across = input_of(study, over or _first_input(study))
     if across.dims != (SAMPLE,):
         raise InputError(said("does not vary along the samples"), field="over", value=across.name)
-    axes = new_figure()[1] if axes is None else axes
     values = output.values[np.isfinite(output.values)]
     if not values.size:
-        return nothing_to_draw(axes, study)
-    axes.plot(
-        across.values,
-        output.values,
-        "o",
-        color=series(0).color,
-        markersize=3.0,
-        markeredgewidth=0.0,
-        alpha=0.5,
-        rasterized=True,
-    )
-    _draw_percentiles(axes, values, output.unit, upright=False)
-    _count_missing(axes, output.values, first_reason(study))
-    label_x(axes, across.label)
-    if across.texts:
-        axes.set_xticks(np.arange(float(len(across.texts))), list(across.texts))
-    label_y(axes, output.label)
-    legend_above(axes)
-    return axes
+        return nothing(why_nothing(study))
+    look = Look(series_look(0).color, width=0.5, opacity=0.5)
+    marks = percentile_marks(values, output.unit, "y")
+    return Chart(
+        (Line(across.values, output.values, "", look, "points"),
+         *_missing(output.values, first_reason(study))),
+        replace(_axis(across), log=False, whole=False),
+        Axis(label=output.label),
+        marks[1].name if len(marks) > 1 else "",
+        marks=tuple(marks),
+    )  # fmt: skip
 
 
 def _along_samples(study: StudyData, variable: str, kind: str) -> PlottedVariable:
@@ -682,20 +581,21 @@ def _first_input(study: StudyData) -> str:
     return name
 
 
-def _draw_percentiles(axes: Axes, values: Floats, unit: ReadableUnit, *, upright: bool) -> None:
-    for percent, style in _PERCENTS:
+def percentile_marks(values: Floats, unit: ReadableUnit, axis: Literal["x", "y"]) -> list[Mark]:
+    """Return the 5th, 50th and 95th percentile; none beyond so few samples."""
+    marks = []
+    for percent, dash in _PERCENTS:
         value = percentile(values, percent)
-        if np.isnan(value):  # beyond so few samples
+        if np.isnan(value):
             continue
         name = said("median") if percent == 50.0 else f"{percent:.0f} %"
-        draw = axes.axvline if upright else axes.axhline
         label = f"{name}: {number(value, 5)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
-        draw(value, color="black", linewidth=1.1, linestyle=style, label=label)
+        marks.append(Mark(value, label, Look("ink", dash, width=0.8), axis))
+    return marks
 
 
-def _count_missing(axes: Axes, values: Floats, why: str) -> None:
+def _missing(values: Floats, why: str) -> list[Line]:
     """Say in the legend how many samples have no result, and why the first has none."""
     missing = int(np.isnan(values).sum())
-    if missing:
-        label = no_result_count(missing, values.size, why)
-        axes.add_line(Line2D([], [], color=GREY, linestyle="", marker="x", label=label))
+    name = no_result_count(missing, values.size, why)
+    return [key(name, _MISSING, "points")] if missing else []

@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from rolamento.charts import (
+    Axis,
+    Bars,
+    Chart,
+    Labels,
+    Line,
+    Look,
+    Mark,
+    Zone,
+    nothing,
+    series_look,
+    step_line,
+)
 from rolamento.charts.axes_units import PERCENT, readable_unit
-from rolamento.charts.frame import GREY, empty_frame, label_x, label_y, require
-from rolamento.charts.style import MILLIMETRE, WIDTH, series, styled
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import require
+from rolamento.charts.palette import LIGHT
+from rolamento.charts.style import MILLIMETRE, WIDTH, styled
 from rolamento.charts.texts import capitalised, number, shown_text
 from rolamento.errors import InputError
 from rolamento.studies.names import variable_name
@@ -24,9 +39,6 @@ from rolamento.studies.tolerance import (
 )
 from rolamento.words import said
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 Floats = NDArray[np.float64]
 
 MOST_OUTPUTS: Final = 6
@@ -34,7 +46,6 @@ MOST_OUTPUTS: Final = 6
 
 _ROW: Final = 58.0
 _MOST_INPUTS: Final = 8
-_FILL: Final = "#9FC6DF"
 
 
 def tolerance_figure(study: ToleranceStudy) -> Figure:
@@ -68,12 +79,13 @@ def tolerance_figure(study: ToleranceStudy) -> Figure:
     with styled():
         height = (_ROW * len(chosen) + 8.0) * MILLIMETRE
         figure = Figure(figsize=(WIDTH * MILLIMETRE, height))
-        grid = figure.add_gridspec(len(chosen), 2, width_ratios=[3, 2])
-        for row, band in enumerate(chosen):
+        grid = figure.subplots(len(chosen), 2, squeeze=False, width_ratios=[3, 2])
+        for (left, right), band in zip(grid, chosen, strict=True):
             values = study.samples.values(band.name)
-            left, right = (figure.add_subplot(grid[row, column]) for column in (0, 1))
-            _distribution(left, values, bands, band)
-            _ranking(right, ranks, band.name)
+            draw(distribution_chart(values, bands, band), left)
+            called = shown_text(_name(band.name, band.long_name), 60)
+            left.set_title(called, loc="left", parse_math=False)
+            draw(ranking_chart(ranks, band.name), right)
         failed = int(bands.without_result)
         if failed:
             text = said(
@@ -81,86 +93,76 @@ def tolerance_figure(study: ToleranceStudy) -> Figure:
                 failed=failed,
                 count=bands.samples,
             )
-            figure.suptitle(text, fontsize=9.0, color="#B00000", parse_math=False)
+            figure.suptitle(text, fontsize=9.0, color=LIGHT["bad"], parse_math=False)
     return figure
 
 
-def _distribution(axes: Axes, values: Floats, bands: ToleranceBands, band: ToleranceBand) -> None:
-    axes.set_title(shown_text(_name(band.name, band.long_name), 60), loc="left", parse_math=False)
+def distribution_chart(values: Floats, bands: ToleranceBands, band: ToleranceBand) -> Chart:
+    """Return how an output is distributed, its percentiles as lines, their intervals as bands."""
     there = values[np.isfinite(values)]
     if not there.size:
-        empty_frame(axes, said("no sample has a result"))
-        return
+        return nothing(said("no sample has a result"))
     unit = readable_unit(band.units, there, band.name)
     drawn = unit.of(there)
     if not varies(there, band.units):  # a histogram needs a width
         constant = 0.0 if np.abs(there).max() <= FINEST.get(band.units, 0.0) else drawn[0]
         value = f"{number(float(constant))} {unit.symbol}".removesuffix(" –")
-        empty_frame(axes, said("does not vary: {value}", value=value))
-        return
+        return nothing(said("does not vary: {value}", value=value))
     shares, edges = histogram(drawn)
-    axes.hist(
-        edges[:-1],
-        bins=edges.tolist(),
-        weights=PERCENT.factor * shares,
-        facecolor=_FILL,
-        edgecolor=series(0).color,
-        linewidth=0.5,
-    )
+    series: list[Line | Labels] = [
+        Line(*step_line(edges, PERCENT.of(shares)), "", series_look(0), filled=True)
+    ]
+    marks, zones = [], []
     for percent, value, low, high in zip(
         bands.percentiles, band.percentile, band.low, band.high, strict=True
     ):
-        if np.isfinite(value):
-            _percentile(axes, percent, float(unit.of(value)))
-            ends = unit.of([value if np.isnan(end) else end for end in (low, high)])
-            axes.axvspan(float(ends[0]), float(ends[1]), color="black", alpha=0.12, linewidth=0.0)
-    label_x(axes, unit.symbol)
-    label_y(axes, PERCENT.label(said("Share of the samples")))
-    axes.margins(y=0.18)
+        if not np.isfinite(value):
+            continue
+        at = float(unit.of(value))
+        look = Look("ink", "solid" if percent == 50.0 else "dash", width=0.65)
+        marks.append(Mark(at, "", look, "x"))
+        text = (f"{number(percent, 6)} %",)
+        series.append(Labels(np.array([at]), np.zeros(1), text, ("along",), height=0.99))
+        ends = unit.of([value if np.isnan(end) else end for end in (low, high)])
+        zones.append(Zone(float(ends[0]), float(ends[1]), "", "ink", "x"))
+    return Chart(
+        tuple(series),
+        Axis(label=unit.symbol),
+        Axis(limits=(0.0, 120.0 * float(shares.max())),
+             label=PERCENT.label(said("Share of the samples"))),
+        title=_name(band.name, band.long_name),
+        marks=tuple(marks),
+        zones=tuple(zones),
+    )  # fmt: skip
 
 
-def _percentile(axes: Axes, percent: float, place: float) -> None:
-    axes.axvline(place, color="black", linewidth=0.9, linestyle="-" if percent == 50.0 else "--")
-    axes.text(
-        place,
-        0.98,
-        f" {number(percent, 6)} %",
-        transform=axes.get_xaxis_transform(),
-        rotation=90.0,
-        fontsize=7.0,
-        ha="right",
-        va="top",
-    )
-
-
-def _ranking(axes: Axes, ranks: RankCorrelations, output: str) -> None:
+def ranking_chart(ranks: RankCorrelations, output: str) -> Chart:
+    """Return the rank correlations of an output with their intervals, the strongest first."""
     order = ranks.ranking(output)[:_MOST_INPUTS]
     if not order:
-        empty_frame(axes, said("does not vary"))
-        return
+        return nothing(said("does not vary"))
     values, low, high = (array[list(order)] for array in ranks.telling(output))
-    place = np.arange(len(order))[::-1]
-    colours = [series(0).color if value >= 0.0 else series(1).color for value in values]
-    hatches = ["" if value >= 0.0 else "///" for value in values]
-    axes.barh(place, np.abs(values), height=0.6, color=colours, hatch=hatches, edgecolor="white")
     size = np.abs(np.stack([low, high]))
-    reach = np.where(
-        low * high < 0.0, [np.zeros_like(low), size.max(axis=0)], np.sort(size, axis=0)
-    )
-    for x, (nearest, farthest) in zip(place, reach.T, strict=True):
-        axes.plot([nearest, farthest], [x, x], color="black", linewidth=1.0)
-    names = [_name(ranks.inputs[index]) for index in order]
+    crosses = low * high < 0.0
+    nearest = np.where(crosses, 0.0, size.min(axis=0))
+    names = [shown_text(_name(ranks.inputs[index]), 26) for index in order]
     signs = ["+" if value >= 0.0 else "−" for value in values]
-    axes.set_yticks(
-        place,
-        [f"{shown_text(name, 26)} ({sign})" for name, sign in zip(names, signs, strict=True)],
-        parse_math=False,
-    )
-    axes.set_xlim(0.0, 1.0)
-    axes.grid(visible=False, axis="y")
-    axes.axvline(0.0, color=GREY, linewidth=0.6)
+    series: list[Bars | Line] = []
+    for rises, look in ((True, series_look(0)), (False, Look("outer", hollow=True))):
+        own = np.flatnonzero((values >= 0.0) == rises)
+        if own.size:
+            foot = np.zeros(own.size)
+            series.append(Bars(np.abs(values[own]), tuple(own.tolist()), "", look, start=foot))
+    x = np.stack([nearest, size.max(axis=0), np.full(len(order), np.nan)], axis=1).ravel()
+    interval = Line(x, np.repeat(np.arange(float(len(order))), 3), "", Look("ink", width=0.7))
     partial = said("Partial rank correlation")
-    label_x(axes, partial if ranks.correlated else said("Rank correlation"))
+    return Chart(
+        (*series, interval),
+        Axis(limits=(0.0, 1.0), label=partial if ranks.correlated else said("Rank correlation")),
+        Axis(categories=tuple(f"{a} ({b})" for a, b in zip(names, signs, strict=True))),
+        f"{names[0]}: {number(float(values[0]), 3)}",
+        title=_name(output),
+    )
 
 
 def _name(variable: str, long_name: str = "") -> str:

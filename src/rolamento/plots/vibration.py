@@ -6,26 +6,31 @@ diagnosis searched is that of the squared envelope over noise, with the bearing'
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
-from rolamento.charts.frame import (
-    GREY,
-    add_title,
-    empty_frame,
-    figure_of,
-    label_x,
-    label_y,
-    legend_above,
-    legend_in_columns,
-    panels,
+from rolamento.charts import (
+    Axis,
+    Chart,
+    Field,
+    Labels,
+    Line,
+    Look,
+    Mark,
+    Spread,
+    Zone,
+    nothing,
+    series_look,
 )
-from rolamento.charts.style import INNER, Series, new_figure, new_stacked_figure, series, styled
-from rolamento.charts.texts import number, numbers, shown_text
+from rolamento.charts.drawing import draw, figure
+from rolamento.charts.record import Side
+from rolamento.charts.style import new_figure
+from rolamento.charts.texts import number
 from rolamento.vibration.diagnosis import COMPONENTS
 from rolamento.words import manner, marked, said
 from rolamento.words.naming import part_name
@@ -34,11 +39,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.vibration.demodulation import Kurtogram
-    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis
+    from rolamento.vibration.diagnosis import ComponentVerdict, Diagnosis
     from rolamento.vibration.signal import Signal
 
 
 Floats = NDArray[np.float64]
+Span = tuple[float, float]
 _COLUMNS: Final = 1500
 """Number of columns of a long waveform; in each, the least and the greatest sample are drawn."""
 _PERIODS: Final = 12.0
@@ -72,23 +78,20 @@ def diagnosis_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -
         Of a fault, the waveform shows a few of its periods, and the kurtogram its band.
     """
     fault = diagnosis.clearest_fault
-    with styled():
-        figure, (first, second, third) = new_stacked_figure(3, height=230.0)
-        waveform(signal, first, **_of_fault(signal, diagnosis))
-        kurtogram_map(kurtogram_of(signal), second, band=None if fault is None else fault.band)
-        envelope_lines(diagnosis, third)
-        if title:
-            add_title(figure, title)
-    return figure
+    return figure(
+        waveform_chart(signal, **_of_fault(signal, diagnosis)),
+        kurtogram_chart(kurtogram_of(signal), None if fault is None else fault.band),
+        envelope_chart(diagnosis),
+        title=title,
+        height=230.0,
+        own=True,
+    )
 
 
 def impacts_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -> Figure:
     """Draw the waveform of a diagnosis: of a fault a few periods, with its impacts marked."""
-    return panels(
-        lambda axes: waveform(signal, axes, **_of_fault(signal, diagnosis)),
-        title=title,
-        height=70.0,
-    )
+    chart = waveform_chart(signal, **_of_fault(signal, diagnosis))
+    return figure(chart, title=title, height=70.0)
 
 
 def _of_fault(signal: Signal, diagnosis: Diagnosis) -> dict[str, Any]:
@@ -106,16 +109,10 @@ def _of_fault(signal: Signal, diagnosis: Diagnosis) -> dict[str, Any]:
 
 
 def waveform_figure(
-    signal: Signal,
-    *,
-    period: float | None = None,
-    span: tuple[float, float] | None = None,
-    title: str = "",
+    signal: Signal, *, period: float | None = None, span: Span | None = None, title: str = ""
 ) -> Figure:
     """Draw a waveform, as `waveform`, with a title."""
-    return panels(
-        lambda axes: waveform(signal, axes, period=period, span=span), title=title, height=70.0
-    )
+    return figure(waveform_chart(signal, period=period, span=span), title=title, height=70.0)
 
 
 def waveform(
@@ -124,17 +121,28 @@ def waveform(
     *,
     period: float | None = None,
     part: str = "",
-    span: tuple[float, float] | None = None,
-    band: tuple[float, float] | None = None,
+    span: Span | None = None,
+    band: Span | None = None,
 ) -> Axes:
-    """Draw a signal over time, with the impacts of a fault marked if its period is given.
+    """Draw a signal over time, as `waveform_chart` has it, on axes; by default of a new figure."""
+    axes = new_figure(height=70.0)[1] if axes is None else axes
+    return draw(waveform_chart(signal, period=period, part=part, span=span, band=band), axes)
+
+
+def waveform_chart(
+    signal: Signal,
+    *,
+    period: float | None = None,
+    part: str = "",
+    span: Span | None = None,
+    band: Span | None = None,
+) -> Chart:
+    """Return a signal over time, with the impacts of a fault marked if its period is given.
 
     Parameters
     ----------
     signal
         Of which a long stretch is drawn by its extremes.
-    axes
-        To draw on; of a new figure if not given.
     period
         To mark; s. The marks begin where the envelope, folded by the period, is greatest.
     part
@@ -144,22 +152,25 @@ def waveform(
     band
         Of the envelope that decides where the marks begin; Hz.
     """
-    with styled():
-        axes = new_figure(height=70.0)[1] if axes is None else axes
-        first, last = _sample_range(signal, span)
-        samples = signal.samples[first:last]
-        if samples.size < 2:
-            return empty_frame(axes, said("The signal has fewer than two samples here."))
-        _draw_waveform(axes, samples, first, signal.rate)
-        axes.set_xlim(first / signal.rate, last / signal.rate)
-        if period is not None:
-            text = said("period, {part}: {period:.4 ms}", part=part, period=period)
-            _periods(axes, signal, (first, last), period, band, text)
-        label_x(axes, said("Time (s)"))
-        unit = _UNITS.get(signal.unit, signal.unit)
-        label_y(axes, said(_QUANTITIES[signal.quantity]) + (f" ({unit})" if unit else ""))
-        legend_above(axes)
-    return axes
+    first, last = _sample_range(signal, span)
+    samples = signal.samples[first:last]
+    if samples.size < 2:
+        return nothing(said("The signal has fewer than two samples here."))
+    marks: list[Mark] = []
+    if period is not None:
+        name = said("period, {part}: {period:.4 ms}", part=part, period=period)
+        look = Look("grey", "dot", width=0.65)
+        times = _impacts(signal, (first, last), period, band)
+        marks = [Mark(time, "" if place else name, look, "x") for place, time in enumerate(times)]
+    unit = _UNITS.get(signal.unit, signal.unit)
+    quantity = said(_QUANTITIES[signal.quantity])
+    return Chart(
+        (_samples(samples, first, signal.rate),),
+        Axis(limits=(first / signal.rate, last / signal.rate), label=said("Time (s)")),
+        Axis(label=f"{quantity} ({unit})" if unit else quantity),
+        marks[0].name if marks else "",
+        marks=tuple(marks),
+    )
 
 
 def _sample_range(signal: Signal, span: tuple[float, float] | None) -> tuple[int, int]:
@@ -170,44 +181,35 @@ def _sample_range(signal: Signal, span: tuple[float, float] | None) -> tuple[int
     return first, min(max(round(span[1] * signal.rate), first), count)
 
 
-def _draw_waveform(axes: Axes, samples: Floats, first: int, rate: float) -> None:
-    """Draw samples as a line, or so many that they merge as the span of each column."""
+def _samples(samples: Floats, first: int, rate: float) -> Line | Spread:
+    """Return samples as a line, or so many that they merge as the span of each column."""
     if len(samples) <= 4 * _COLUMNS:
         times = (first + np.arange(len(samples))) / rate
-        axes.plot(times, samples, color=INNER.color, linewidth=0.7)
-        return
+        return Line(times, samples, "", Look("inner", width=0.5))
     step = -(-len(samples) // _COLUMNS)
     starts = np.arange(0, len(samples), step)
     least, most = (np.minimum.reduceat(samples, starts), np.maximum.reduceat(samples, starts))
-    middles = (first + starts + 0.5 * step) / rate
-    axes.fill_between(middles, least, most, color=INNER.color, linewidth=0.4)
+    middles = np.asarray((first + starts + 0.5 * step) / rate, dtype=np.float64)
+    return Spread(middles, least, most, "", Look("inner"), solid=True)
 
 
-def _periods(
-    axes: Axes,
-    signal: Signal,
-    place: tuple[int, int],
-    period: float,
-    band: tuple[float, float] | None,
-    text: str,
-) -> None:
-    """Mark the impacts of a fault: a comb that begins where the folded envelope is greatest."""
+def _impacts(
+    signal: Signal, place: tuple[int, int], period: float, band: Span | None
+) -> list[float]:
+    """Return the impacts of a fault: a comb that begins where the folded envelope is greatest."""
     start, end = place[0] / signal.rate, place[1] / signal.rate
     if not 0.0 < period < end - start or (end - start) / period > _MOST_MARKS:
-        return
-    first = start + _phase(signal, place, period, band)
-    times = np.arange(first, end, period)
-    for index, time in enumerate(times):
-        label = None if index else text
-        axes.axvline(time, color=GREY, linestyle=":", linewidth=0.9, zorder=1.5, label=label)
+        return []
+    times: list[float] = np.arange(
+        start + _phase(signal, place, period, band), end, period
+    ).tolist()
+    return times
 
 
 def _phase(
     signal: Signal, place: tuple[int, int], period: float, band: tuple[float, float] | None
 ) -> float:
     """Time from the first sample to the first impact, to a part of the period."""
-    from dataclasses import replace
-
     from rolamento.vibration.demodulation import analytic_signal
 
     piece = replace(signal, samples=signal.samples[place[0] : place[1]], speed=None)
@@ -229,14 +231,11 @@ MOST_SAMPLES: Final = 2**20
 """Maximum number of samples of a signal that a picture is made of: more narrow the scatter and cost
 seconds."""
 _LEAST_SAMPLES: Final = 256
-_BEST: Final = "#D55E00"
-_FAULT: Final = "#FFFFFF"
+_COLOURS: Final = 40
 
 
 def kurtogram_of(signal: Signal) -> Kurtogram | None:
     """Return the kurtogram of a signal's first million samples; None if it has too few."""
-    from dataclasses import replace
-
     from rolamento.vibration.demodulation import kurtogram
 
     if len(signal.samples) < _LEAST_SAMPLES or np.ptp(signal.samples) == 0.0:
@@ -245,9 +244,7 @@ def kurtogram_of(signal: Signal) -> Kurtogram | None:
     return kurtogram(replace(signal, samples=part, speed=None))
 
 
-def kurtogram_figure(
-    signal: Signal, *, band: tuple[float, float] | None = None, title: str = ""
-) -> Figure:
+def kurtogram_figure(signal: Signal, *, band: Span | None = None, title: str = "") -> Figure:
     """Draw the kurtogram of a signal.
 
     Parameters
@@ -259,86 +256,51 @@ def kurtogram_figure(
     title
         Over the figure.
     """
-    return panels(
-        lambda axes: kurtogram_map(kurtogram_of(signal), axes, band=band), title=title, height=95.0
-    )
+    return figure(kurtogram_chart(kurtogram_of(signal), band), title=title, height=95.0)
 
 
-def kurtogram_map(
-    found: Kurtogram | None, axes: Axes | None = None, *, band: tuple[float, float] | None = None
-) -> Axes:
-    """Draw a kurtogram: a row for each bandwidth, a frame about the band that stands out most.
+def kurtogram_chart(found: Kurtogram | None, band: Span | None = None) -> Chart:
+    """Return a kurtogram: a row for each bandwidth, a frame about the band that stands out most.
+
+    That is judged by its significance: of thousands of narrow bands one is always impulsive by
+    chance.
 
     Parameters
     ----------
     found
         The kurtogram; None of a signal that is too short or does not change.
-    axes
-        To draw on; of a new figure if not given.
     band
         To mark as well, dashed; Hz.
     """
-    with styled():
-        axes = new_figure(height=95.0)[1] if axes is None else axes
-        if found is None:
-            return empty_frame(axes, said("The signal is too short for a kurtogram."))
-        values = found.picture()
-        half, rows = 0.5 * found.rate, len(found.levels)
-        picture = axes.imshow(
-            values, extent=(0.0, half, rows, 0.0), aspect="auto", interpolation="nearest",
-            vmin=min(0.0, float(values.min())),
-        )  # fmt: skip
-        axes.grid(visible=False)
-        _color_bar(axes, picture)
-        _label_levels(axes, found)
-        label_x(axes, said("Frequency (Hz)"))
-        _frames(axes, found, band)
-    return axes
-
-
-def _color_bar(axes: Axes, picture: object) -> None:
-    bar = figure_of(axes).colorbar(picture, ax=axes, pad=0.02)  # type: ignore[arg-type]
-    bar.set_label(said("Kurtosis above that of noise"), parse_math=False)
-    bar.ax.yaxis.set_major_formatter(numbers())
-    bar.ax.tick_params(labelsize=8.0)
-
-
-def _label_levels(axes: Axes, found: Kurtogram) -> None:
-    """Number the rows by their bandwidths."""
-    step = 1 if len(found.levels) <= 9 else 2
-    places = range(0, len(found.levels), step)
-    labels = [number(found.levels[place].bandwidth, 4) for place in places]
-    axes.set_yticks([place + 0.5 for place in places], labels)
-    axes.set_ylabel(said("Bandwidth (Hz)"), parse_math=False)
-
-
-def _frames(axes: Axes, found: Kurtogram, band: tuple[float, float] | None) -> None:
-    """Frame the band that stands out most in its row; show the given one across all rows.
-
-    By its significance: of thousands of narrow bands one is always impulsive by chance.
-    """
-    best, rows = found.best("significance"), len(found.levels)
+    if found is None:
+        return nothing(said("The signal is too short for a kurtogram."))
+    values, rows = found.picture(), len(found.levels)
+    half, lowest = 0.5 * found.rate, min(0.0, float(values.min()))
+    scale = Axis(limits=(lowest, float(values.max())), label=said("Kurtosis above that of noise"))
+    x, y = np.linspace(0.0, half, values.shape[1] + 1), np.linspace(0.0, rows, len(values) + 1)
+    colours = Field(x, y, values, scale, _COLOURS)
+    best = found.best("significance")
     row = [level.level for level in found.levels].index(best.level)
-    low, high = best.band
-    label = said("stands out most: {low:.4} to {high:.4 Hz}", low=low, high=high)
-    frame = Rectangle(
-        (low, row), high - low, 1.0, fill=False, edgecolor=_BEST, linewidth=1.6,
-        label=shown_text(label), zorder=4.0,
-    )  # fmt: skip
-    axes.add_patch(frame)
-    handles: list[Rectangle] = [frame]
+    (low, high), most = best.band, Look("outer", width=1.15)
+    name = said("stands out most: {low:.4} to {high:.4 Hz}", low=low, high=high)
+    frames = [_frame(best.band, (row, row + 1.0), name, most)]
     if band is not None:
         text = said("fault clearest: {low:.4} to {high:.4 Hz}", low=band[0], high=band[1])
-        given = Rectangle(
-            (band[0], 0.03), band[1] - band[0], rows - 0.06, fill=False, edgecolor=_FAULT,
-            linestyle="--", linewidth=1.2, zorder=3.0,
-        )  # fmt: skip
-        axes.add_patch(given)
-        # white does not show beside the picture: its key is grey
-        handles.append(
-            Rectangle((0, 0), 1, 1, fill=False, edgecolor="#707070", linestyle="--", label=text)
-        )
-    legend_above(axes, handles=handles)
+        frames.append(_frame(band, (0.03, rows - 0.03), text, Look("white", "dash", width=0.9)))
+    step = 1 if rows <= 9 else 2
+    ticks = ((place + 0.5, number(found.levels[place].bandwidth)) for place in range(0, rows, step))
+    return Chart(
+        (colours, *frames),
+        Axis(limits=(0.0, half), label=said("Frequency (Hz)")),
+        Axis(limits=(float(rows), 0.0), ticks=tuple(ticks), label=said("Bandwidth (Hz)")),
+        name,
+    )
+
+
+def _frame(across: Span, upright: Span, name: str, look: Look) -> Line:
+    (left, right), (low, high) = across, upright
+    x, y = np.array([left, right, right, left, left]), np.array([low, low, high, high, low])
+    return Line(x, y, name, look)
 
 
 # --- the spectrum that was searched --------------------------------------------------------------
@@ -350,16 +312,8 @@ _ROOM: Final = 4.0
 _LEAST_TOP: Final = 16.0
 _HALF_PEAK: Final = 3
 """Lines on either side in which the top of a peak is looked for."""
-_LABEL_GAP: Final = 4.0
+_MOST_TURNS: Final = 1000.0
 _RATIOS: Final = np.geomspace(1.0, 1e6, 4000)
-
-
-class _Drawn(NamedTuple):
-    """The line that marks stand on, and the decimal mark of their labels."""
-
-    hertz: Floats
-    level: Floats
-    mark: str
 
 
 def line_threshold(diagnosis: Diagnosis) -> float:
@@ -384,58 +338,87 @@ def line_threshold(diagnosis: Diagnosis) -> float:
 
 def envelope_figure(diagnosis: Diagnosis, *, band: int | None = None, title: str = "") -> Figure:
     """Draw the spectrum of the squared envelope of a band, as `envelope_lines`, with a title."""
-    return panels(lambda axes: envelope_lines(diagnosis, axes, band=band), title=title, height=95.0)
+    return figure(envelope_chart(diagnosis, band), title=title, height=95.0)
 
 
 def envelope_lines(
     diagnosis: Diagnosis, axes: Axes | None = None, *, band: int | None = None
 ) -> Axes:
-    """Draw the squared envelope's spectrum in a band, with the frequencies of the bearing.
+    """Draw the spectrum of `envelope_chart` on axes; of a new figure if not given."""
+    axes = new_figure(height=95.0)[1] if axes is None else axes
+    return draw(envelope_chart(diagnosis, band), axes)
+
+
+def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:
+    """Return the squared envelope's spectrum in a band, with the frequencies of the bearing.
 
     Parameters
     ----------
     diagnosis
         Of `rolamento.vibration.diagnosis.verdict`.
-    axes
-        To draw on; of a new figure if not given.
     band
         Number in `diagnosis.spectra.bands`; by default that of the clearest fault, of the clearest
         unexplained peak if there is none, or else of the best match.
 
     Returns
     -------
-    Axes
-        Those given. Found lines have filled marks and their multiples, sidebands hollow ones;
-        parts without a finding have the span in which they were looked for.
+    Chart
+        Found lines have filled marks and their multiples, sidebands hollow ones; parts without a
+        finding have the span in which they were looked for.
     """
-    with styled():
-        axes = new_figure(height=95.0)[1] if axes is None else axes
-        place = diagnosis.clearest_band if band is None else band
-        above = diagnosis.spectra.above_noise[place]
-        known = np.flatnonzero(np.isfinite(above))
-        if known.size == 0:
-            return empty_frame(axes, said("The signal allows no envelope spectrum."))
-        hertz = diagnosis.spectra.order * diagnosis.shaft_frequency
-        level = _decibels(above)
-        threshold = line_threshold(diagnosis)
-        axes.plot(hertz, np.maximum(level, _FLOOR), color="#606060", linewidth=0.6)
-        axes.axhline(0.0, color=GREY, linewidth=0.9, label=said("noise, mean"))
-        above_chance = said("above this, a single peak is not noise")
-        axes.axhline(threshold, color=GREY, linestyle="--", linewidth=0.9, label=above_chance)
-        top = max(_LEAST_TOP, threshold + 1.0, float(np.nanmax(level))) + _ROOM
-        axes.set_ylim(_FLOOR, top)
-        axes.set_xlim(0.0, float(hertz[known[-1]]))
-        _mark_shaft(axes, diagnosis)
-        drawn = _Drawn(hertz, level, manner().mark)
-        for number_of, part in enumerate(COMPONENTS):
-            _mark_component(axes, diagnosis, part, series(number_of), drawn, threshold)
-        _mark_unexplained(axes, diagnosis, drawn)
-        label_x(axes, said("Frequency (Hz)"))
-        label_y(axes, said("Envelope² over noise (dB)"))
-        low, high = diagnosis.spectra.bands[place]
-        title = said("Band {low:.4} to {high:.4 Hz}", low=low, high=high)
-        legend_in_columns(axes, title=title)
-    return axes
+    place = diagnosis.clearest_band if band is None else band
+    above = diagnosis.spectra.above_noise[place]
+    known = np.flatnonzero(np.isfinite(above))
+    if known.size == 0:
+        return nothing(said("The signal allows no envelope spectrum."))
+    hertz = diagnosis.spectra.order * diagnosis.shaft_frequency
+    level, end = _decibels(above), float(hertz[known[-1]])
+    threshold, grey = line_threshold(diagnosis), Look("grey", width=0.65)
+    chance = said("above this, a single peak is not noise")
+    dashed = replace(grey, dash="dash")
+    marks = [Mark(0.0, said("noise, mean"), grey), Mark(threshold, chance, dashed)]
+    zones: list[Zone] = []
+    spectrum = _Drawn(hertz, level, threshold)
+    series: list[Line | Labels] = [
+        Line(hertz, np.maximum(level, _FLOOR), "", Look("grey", width=0.45))
+    ]
+    series += _turns(diagnosis, end)
+    found = []
+    for number_of, part in enumerate(COMPONENTS):
+        look, verdict = series_look(number_of), diagnosis.of(part)
+        name = part_name(part, diagnosis.element)
+        if verdict.band is not None:
+            found.append(said("{part}, found", part=name))
+            series += _found(verdict, name, look, spectrum)
+        elif verdict.verdict == "nothing_found":
+            nominal = verdict.nominal_order * diagnosis.shaft_frequency
+            if nominal < end:
+                expected = said("{part}, expected", part=name)
+                marks.append(Mark(nominal, expected, replace(look, width=0.8), "x"))
+                spread = diagnosis.tolerance * nominal
+                zones.append(Zone(nominal - spread, nominal + spread, "", look.color, "x"))
+    others = [line.frequency for line in diagnosis.unexplained]
+    if others:
+        series.append(_on_peaks(others, said("unexplained"), Look("ink", mark="query"), spectrum))
+    top = max(_LEAST_TOP, threshold + 1.0, float(np.nanmax(level))) + _ROOM
+    low, high = diagnosis.spectra.bands[place]
+    return Chart(
+        tuple(series),
+        Axis(limits=(0.0, end), label=said("Frequency (Hz)")),
+        Axis(limits=(_FLOOR, top), label=said("Envelope² over noise (dB)")),
+        "; ".join(found),
+        marks=tuple(marks),
+        zones=tuple(zones),
+        over_names=said("Band {low:.4} to {high:.4 Hz}", low=low, high=high),
+    )
+
+
+class _Drawn(NamedTuple):
+    """The line that marks stand on, and the threshold of a line that is not noise."""
+
+    hertz: Floats
+    level: Floats
+    threshold: float
 
 
 def _decibels(above: Floats) -> Floats:
@@ -444,58 +427,39 @@ def _decibels(above: Floats) -> Floats:
     return np.where(np.isneginf(level), _FLOOR, level)
 
 
-def _mark_shaft(axes: Axes, diagnosis: Diagnosis) -> None:
-    """Tick the multiples of the shaft at the foot: they are left out of the search."""
-    frequency, end = diagnosis.shaft_frequency, axes.get_xlim()[1]
-    if frequency <= 0.0 or end / frequency > 1000.0:
-        return
-    places = frequency * np.arange(1, int(end / frequency) + 1)
-    axes.plot(
-        places, np.full(len(places), 0.015), transform=axes.get_xaxis_transform(), color="black",
-        linestyle="", marker="|", markersize=5.0, clip_on=False,
-        label=said("multiples of the shaft speed"),
-    )  # fmt: skip
+def _turns(diagnosis: Diagnosis, end: float) -> Iterator[Line]:
+    """Yield the multiples of the shaft at the foot: they are left out of the search."""
+    frequency = diagnosis.shaft_frequency
+    if frequency > 0.0 and end / frequency <= _MOST_TURNS:
+        places = frequency * np.arange(1.0, int(end / frequency) + 1.0)
+        yield Line(places, np.zeros(len(places)), said("multiples of the shaft speed"),
+                   Look("ink", mark="tick", width=0.85), "points", height=0.015)  # fmt: skip
 
 
-def _mark_component(
-    axes: Axes, diagnosis: Diagnosis, part: Component, look: Series, drawn: _Drawn, threshold: float
-) -> None:
-    hertz, level, mark = drawn
-    verdict, name = diagnosis.of(part), part_name(part, diagnosis.element)
-    if verdict.band is not None:
-        keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
-        lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
-        lines += _further_multiples(verdict, drawn, threshold)
-        tops = [_peak_height(place, hertz, level) for place, _ in lines]
-        axes.plot(
-            [place for place, _ in lines], tops, **keywords, label=said("{part}, found", part=name)
-        )
-        for (place, text), top in zip(lines, tops, strict=True):
-            axes.annotate(
-                text.replace(".", mark), (place, top), xytext=(0.0, _LABEL_GAP),
-                textcoords="offset points", ha="center", fontsize=7.0, color=look.color,
-                annotation_clip=True,
-            )  # fmt: skip
-        if verdict.sidebands:
-            sides = [line.frequency for line in verdict.sidebands]
-            axes.plot(
-                sides, [_peak_height(place, hertz, level) for place in sides], **keywords,
-                markerfacecolor="white", label=said("{part}, sidebands", part=name),
-            )  # fmt: skip
-    elif verdict.verdict == "nothing_found":
-        nominal = verdict.nominal_order * diagnosis.shaft_frequency
-        if nominal < axes.get_xlim()[1]:
-            axes.axvline(nominal, **look.keywords(), alpha=0.8, linewidth=1.1, zorder=1.5,
-                         label=said("{part}, expected", part=name))  # fmt: skip
-            spread = diagnosis.tolerance * nominal
-            axes.axvspan(
-                nominal - spread, nominal + spread, color=look.color, alpha=0.15, linewidth=0.0
-            )
+def _found(
+    verdict: ComponentVerdict, name: str, look: Look, drawn: _Drawn
+) -> Iterator[Line | Labels]:
+    """Yield the lines of a fault with their multiples, and its sidebands."""
+    lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
+    lines += _further_multiples(verdict, drawn)
+    point = replace(look, width=0.7)
+    tops = _on_peaks([at for at, _ in lines], said("{part}, found", part=name), point, drawn)
+    yield tops
+    texts = tuple(text.replace(".", manner().mark) for _, text in lines)
+    sides: list[Side] = ["above"] * len(texts)
+    yield Labels(tops.x, tops.y, texts, tuple(sides), look.color)
+    if verdict.sidebands:
+        places = [line.frequency for line in verdict.sidebands]
+        hollow = replace(point, hollow=True)
+        yield _on_peaks(places, said("{part}, sidebands", part=name), hollow, drawn)
 
 
-def _further_multiples(
-    verdict: ComponentVerdict, drawn: _Drawn, threshold: float
-) -> list[tuple[float, str]]:
+def _on_peaks(places: list[float], name: str, look: Look, drawn: _Drawn) -> Line:
+    tops = [_peak_height(place, drawn.hertz, drawn.level) for place in places]
+    return Line(np.array(places), np.array(tops), name, look, "points")
+
+
+def _further_multiples(verdict: ComponentVerdict, drawn: _Drawn) -> list[tuple[float, str]]:
     """Return multiples of a fault beside those it was matched by, that are no noise either."""
     matched = {line.multiple for line in verdict.lines}
     last = float(drawn.hertz[np.flatnonzero(np.isfinite(drawn.level))[-1]])
@@ -504,20 +468,8 @@ def _further_multiples(
         (number * verdict.frequency, f"{number}×")
         for number in numbers
         if number not in matched
-        and _peak_height(number * verdict.frequency, drawn.hertz, drawn.level) >= threshold
+        and _peak_height(number * verdict.frequency, drawn.hertz, drawn.level) >= drawn.threshold
     ]
-
-
-def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:
-    """Point at peaks that stand out and that nothing explains."""
-    places = [line.frequency for line in diagnosis.unexplained]
-    tops = [_peak_height(place, drawn.hertz, drawn.level) for place in places]
-    if not places:
-        return
-    axes.plot(
-        places, tops, color="black", linestyle="", marker="$?$", markersize=7.0,
-        label=said("unexplained"),
-    )  # fmt: skip
 
 
 def _peak_height(place: float, hertz: Floats, level: Floats) -> float:
