@@ -200,8 +200,8 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
         yield
     except InputError as error:
         of_column = error.field in request.columns and error.source not in ("", *options)
-        if error.line is not None or isinstance(error, UnknownKeyError):
-            raise  # of a file, whose fields may be called as those of the request
+        if isinstance(error, UnknownKeyError):
+            raise  # of a file, whose keys may be called as the fields of the request
         is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options
         named = {name: one for name, one in named.items() if not is_file or name != error.source}

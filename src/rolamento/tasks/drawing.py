@@ -127,7 +127,7 @@ def draw(
             paths, wanted, variable or "", over or "", labels, variants
         )
     else:
-        for name, given in (("--variable", variable), ("--over", over)):
+        for name, given in (("variable", variable), ("over", over)):
             if given is not None:
                 raise InputError(said("is for studies; this is a state"), field=name, value=given)
         if len(paths) > 1 or variants:

@@ -265,7 +265,8 @@ def asking(request: type[UseCase], *names: str, of: type[Record] | None = None) 
     fields: dict[str, Any] = {}
     for name in names:
         one, default = inputs[name], request.model_fields[name].default
-        shown = Field(default, description=means[name], examples=[one.example])
+        example = one.example or one.default
+        shown = Field(default, description=means[name], examples=[example] if example else None)
         fields[name] = (Annotated[Any, one], shown)
     of_subject = (base.__doc__ or "").partition("\n\n")[2]
     doc = f"{request.summary()}\n\n{inspect.cleandoc(of_subject)}"
