@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from pathlib import Path
 from typing import Any, Final
 
@@ -126,21 +127,39 @@ def _on_source(app: Sphinx, docname: str, content: list[str]) -> None:
 def _on_read(app: Sphinx, document: nodes.document) -> None:
     metadata: Any = app.env.metadata[app.env.docname]
     metadata["equations"] = " ".join(app.env.temp_data.get("equations", ()))
-    docname = app.env.docname
+    document += nodes.meta(
+        name="keywords", content=", ".join(sorted(_keywords(app.env.docname, document)))
+    )
+
+
+def _keywords(docname: str, document: nodes.document) -> Counter[str]:
+    """What a page is found by beside its own words."""
     if docname.startswith(("reference/api/", "adr/", "gallery/")):
-        return
+        return Counter()
     terms = [(english, portuguese) for english, portuguese, _ in reference.terms()]
-    also = search.keywords(
+    return search.keywords(
         docname, document.astext(), terms, reference.glossary_file()["portuguese"]
     )
-    document += nodes.meta(name="keywords", content=", ".join(also))
 
 
 def _on_finished(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
-        make_accessible(Path(app.outdir))
-        for wrong in checks.wrong_in(Path(app.outdir)):
+        site = Path(app.outdir)
+        make_accessible(site)
+        _weigh(app, site)
+        for wrong in checks.wrong_in(site):
             _log.warning("%s", wrong)
+
+
+def _weigh(app: Sphinx, site: Path) -> None:
+    """Add to the search what each page is about."""
+    index = search.index_of(site)
+    pages = {}
+    for docname in index["docnames"]:
+        document = app.env.get_doctree(docname)
+        words = Counter(map(str.lower, search.words_of(document.astext())))
+        pages[docname] = words + _keywords(docname, document)
+    search.write_index(site, search.weigh(index, pages))
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

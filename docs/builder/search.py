@@ -4,12 +4,16 @@ Sphinx leaves numbers out of its index, and its page passes over numbers in what
 language of the search here says what a word is, to the index in Python and to the page in
 JavaScript: a number is one, with a letter before it. A designation with a part, 20816-3, is found
 by the number of the standard and by the whole. A page is found by its terms' Portuguese words too.
+
+Sphinx does not know how often a page has a word, and lists pages that have it by their titles.
+`weigh` adds to its index how much a page is about each of its words, which `scorer.js` reads.
 """
 
 from __future__ import annotations
 
 import json
 import re
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
@@ -24,13 +28,19 @@ __all__ = [
     "index_of",
     "keywords",
     "missing",
+    "weigh",
     "words_of",
+    "write_index",
 ]
 
 NUMBER: Final = "n"
 """Stands before a number: with it Sphinx takes the number for a word."""
 
 _WORD: Final = re.compile(r"\w+")
+_ABOUT: Final = 20
+"""Times that a page counts as having a word which it is said to be about."""
+_INDEX: Final = "searchindex.js"
+_BEFORE: Final = "Search.setIndex("
 _PART: Final = re.compile(r"\b(\d{2,})-(\d{1,4})\b")
 
 SPLITTER: Final = r"""
@@ -80,8 +90,8 @@ def words_of(text: str) -> list[str]:
 
 def keywords(
     docname: str, text: str, terms: Iterable[tuple[str, str]], portuguese: Mapping[str, str]
-) -> list[str]:
-    """Return words of the other language by which a page is found too.
+) -> Counter[str]:
+    """Return words of the other language by which a page is found too, and how often it has them.
 
     Parameters
     ----------
@@ -90,19 +100,70 @@ def keywords(
     terms
         Of the glossary, English and Portuguese: a page with the one is found by the other.
     portuguese
-        What else a reader may type, by page.
+        What else a reader may type, by page: it is about that.
     """
     lowered = f" {' '.join(text.lower().split())} "
-    found = [other for term, other in terms if f" {term.lower()}" in lowered]
-    found += portuguese.get(docname, "").split(",")
-    return sorted({word.lower() for one in found for word in words_of(one)})
+    found: Counter[str] = Counter()
+    for term, other in terms:
+        if times := lowered.count(f" {term.lower()}"):
+            found.update(dict.fromkeys(map(str.lower, words_of(other)), times))
+    for word in words_of(portuguese.get(docname, "").lower()):
+        found[word] += _ABOUT
+    return found
+
+
+def weigh(index: Mapping[str, Any], pages: Mapping[str, Counter[str]]) -> dict[str, Any]:
+    """Return an index with ``weights``: by word a digit for each page that has it.
+
+    It grows with how often the page has the word among how many others, to a bound (BM25: Robertson
+    and Zaragoza, The Probabilistic Relevance Framework, 2009, with its usual constants).
+
+    Parameters
+    ----------
+    index
+        As Sphinx makes it.
+    pages
+        How often each page has its words, by its name.
+    """
+    stem = snowballstemmer.stemmer("english").stemWord  # as Sphinx does
+    counts: dict[str, Counter[str]] = {}
+    for docname, words in pages.items():
+        counts[docname] = Counter()
+        for word, times in words.items():
+            counts[docname][stem(word)] += times
+    sizes = {docname: own.total() for docname, own in counts.items()}
+    usual = sum(sizes.values()) / max(len(sizes), 1)
+    names = index["docnames"]
+
+    def digit(word: str, place: int) -> str:
+        times = counts[names[place]][word]
+        room = 1.2 * (0.25 + 0.75 * sizes[names[place]] / usual)
+        return str(round(9 * times / (times + room)))
+
+    weights = {
+        word: "".join(digit(word, place) for place in _places(index, word))
+        for word in {**index["terms"], **index["titleterms"]}
+    }
+    return {**index, "weights": weights}
+
+
+def _places(index: Mapping[str, Any], word: str) -> list[int]:
+    """Pages that have a word: in their text, then in a heading, which Sphinx keeps apart."""
+    found = (index[table].get(word, []) for table in ("terms", "titleterms"))
+    return [place for one in found for place in (one if isinstance(one, list) else [one])]
 
 
 def index_of(site: Path) -> dict[str, Any]:
     """Return the index of a built site, as its page reads it."""
-    text = (site / "searchindex.js").read_text("utf-8")
-    found: dict[str, Any] = json.loads(text.removeprefix("Search.setIndex(").rstrip().rstrip(")"))
+    text = (site / _INDEX).read_text("utf-8")
+    found: dict[str, Any] = json.loads(text.removeprefix(_BEFORE).rstrip().rstrip(")"))
     return found
+
+
+def write_index(site: Path, index: Mapping[str, Any]) -> None:
+    """Write the index of a site, as `index_of` reads it."""
+    text = json.dumps(index, ensure_ascii=False, separators=(",", ":"))
+    (site / _INDEX).write_text(f"{_BEFORE}{text})", "utf-8")
 
 
 def asked(index: Mapping[str, Any], question: str) -> set[str]:
@@ -110,11 +171,7 @@ def asked(index: Mapping[str, Any], question: str) -> set[str]:
     stem = snowballstemmer.stemmer("english").stemWord  # as Sphinx does
     found: set[str] | None = None
     for word in map(stem, map(str.lower, words_of(question))):
-        pages: set[str] = set()
-        for table in (index["terms"], index["titleterms"]):
-            places = table.get(word, [])
-            places = places if isinstance(places, list) else [places]
-            pages |= {index["docnames"][place] for place in places}
+        pages = {index["docnames"][place] for place in _places(index, word)}
         found = pages if found is None else found & pages
     return found or set()
 

@@ -103,7 +103,7 @@ def arguments(**values: Any) -> Phrase:
 
 
 def phrase(message: str, **values: Any) -> Phrase:
-    """Say a text, `marked`, of whose values some are `arguments`."""
+    """Say a text, `marked`, of whose values some are `arguments`, or names of fields."""
     return Phrase(said(message, **values), message, values)
 
 
@@ -113,14 +113,14 @@ def respelled(
     written: Callable[[str, str], str] = "{}={}".format,
     between: str = ", ",
 ) -> str:
-    """Return a text with the arguments that it names by other names.
+    """Return a text with the arguments and fields that it names by other names.
 
     Parameters
     ----------
     text
         A `Phrase`; any other text is returned as it is.
     names
-        The other name of each argument; one without is written as before.
+        The other name of each; one without is written as before.
     written
         Writes an argument, by its other name, with a value.
     between
@@ -133,7 +133,11 @@ def respelled(
     return said(
         text.message,
         **{
-            name: respelled(value, names, written, between) if isinstance(value, Phrase) else value
+            name: respelled(value, names, written, between)
+            if isinstance(value, Phrase)
+            else names.get(value, value)
+            if isinstance(value, str)
+            else value
             for name, value in text.values.items()
         },
     )
@@ -244,6 +248,23 @@ class InputError(RolamentoError, ValueError):
             source=self.source if source is None else source,
             line=self.line if line is None else line,
         )
+
+    def spelled(
+        self,
+        names: Mapping[str, str],
+        written: Callable[[str, str], str] = "{}={}".format,
+        between: str = ", ",
+    ) -> Self:
+        """Return the same error with the arguments that it names by other names, as `respelled`.
+
+        Its field or its source may be one.
+        """
+        rule, example = (
+            respelled(text, names, written, between) for text in (self.rule, self.example)
+        )
+        field = self.field if self.source in names else names.get(self.field, self.field)
+        source = names.get(self.source, self.source)
+        return self.with_details(rule=rule, field=field, source=source, example=example)
 
 
 class FileError(InputError):

@@ -223,30 +223,35 @@ def sphere_conformity(
 
 
 def apex_half_angle(
-    roller_diameter: ArrayLike, pitch_diameter: ArrayLike, outer_contact_angle: ArrayLike
+    roller_diameter: ArrayLike,
+    pitch_diameter: ArrayLike,
+    contact_angle: ArrayLike,
+    *,
+    washers: bool = False,
 ) -> FloatArray:
     """Half angle φ of a roller whose cone has its apex with those of both raceways; rad.
 
     Parameters
     ----------
     roller_diameter, pitch_diameter : arrays, D and d_m, at the roller's middle; m.
-    outer_contact_angle : array, α_o, of the outer raceway, from 0 to 90°; rad.
+    contact_angle : array, α, of the outer raceway, from 0 to 90°; rad.
         All broadcast against each other.
+    washers : whether α is that of the rollers' axes, as between washers.
 
     Returns
     -------
-    Array of the broadcast shape: the root of tan φ = (D/d_m) sin(α_o - φ), from 0 to α_o.
+    Array of the broadcast shape: the root of tan φ = (D/d_m) sin(α - φ), from 0 to α; between
+    washers of tan φ = (D/d_m) sin α.
 
     From the triangle of apex, roller's middle and its surface.
     """
     diameter, pitch, outer = np.broadcast_arrays(
-        *(
-            np.asarray(one, np.float64)
-            for one in (roller_diameter, pitch_diameter, outer_contact_angle)
-        )
+        *(np.asarray(one, np.float64) for one in (roller_diameter, pitch_diameter, contact_angle))
     )
     ratio = diameter / pitch
     angle = np.arctan(ratio * np.sin(outer))
+    if washers:
+        return np.asarray(angle)
     for _ in range(_APEX_STEPS):  # Newton; the left side rises, the right side falls with φ
         excess = np.tan(angle) - ratio * np.sin(outer - angle)
         step = excess / (1.0 / np.cos(angle) ** 2 + ratio * np.cos(outer - angle))

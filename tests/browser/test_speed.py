@@ -7,8 +7,9 @@ from statistics import quantiles
 from typing import Any
 
 MOVES = 120
-GOAL = 0.020
-"""Seconds at the 95th percentile, where the machine has nothing else to do."""
+GOAL = 0.060
+"""Seconds at the 95th percentile, of a bearing with fits, grease and temperatures, where a machine
+of two cores has nothing else to do. Every move changes the ends of the axes: Plotly draws them."""
 MEASURE = """async moves => {
   const slider = document.querySelector('[data-name="duty.load.fz"] input[type=range]');
   const plot = document.querySelector('[data-key=rosette] .plot');
@@ -31,6 +32,7 @@ MEASURE = """async moves => {
 
 
 def test_the_picture_follows_the_slider(visit: Any, record_property: Any) -> None:
+    load = os.getloadavg()[0]
     page = visit()
     page.locator("#examples button:has([data-example='6310_motor'])").click()
     page.locator("#status p.good").wait_for()
@@ -45,5 +47,6 @@ def test_the_picture_follows_the_slider(visit: Any, record_property: Any) -> Non
     print(
         f"slider to picture: p50 {1e3 * p50:.1f} ms, p95 {1e3 * p95:.1f} ms (goal {1e3 * GOAL:.0f})"
     )
-    if os.getloadavg()[0] < (os.cpu_count() or 1):  # nobody else keeps the processors busy
-        assert p95 < 5 * GOAL
+    busy = load / (os.cpu_count() or 1)  # by others
+    if busy < 1.0:
+        assert p95 < (GOAL if busy < 0.25 else 5 * GOAL)

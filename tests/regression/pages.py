@@ -58,11 +58,13 @@ def missing(name: str, language: str) -> list[str]:
 
 
 def _taken(number: str, spare: list[str]) -> bool:
-    """Take a number away that differs only in how its last digit is rounded."""
+    """Take a number away that differs only in how its last digit is rounded, or a noise's zero."""
     decimals = len(number.partition(".")[2])
     for other in spare:
         alike = len(other.partition(".")[2]) == decimals and "." in number
-        if alike and abs(float(other) - float(number)) < 1.5 * 10.0**-decimals:
+        if not float(number) == float(other) == 0.0 and not alike:
+            continue
+        if abs(float(other) - float(number)) < 1.5 * 10.0**-decimals:
             spare.remove(other)
             return True
     return False

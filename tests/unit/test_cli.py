@@ -506,7 +506,7 @@ ALL_COMMANDS = commands_of(PROGRAM)
 GROUPED = {
     words: command
     for words, command in ALL_COMMANDS.items()
-    if isinstance(command, SpokenCommand) and command.headings()
+    if isinstance(command, SpokenCommand) and command.groups
 }
 
 
@@ -550,11 +550,11 @@ def test_the_help_of_a_command_begins_with_one_line_of_what_it_does(words: tuple
 @pytest.mark.parametrize("words", GROUPED, ids=" ".join)
 def test_every_option_stands_below_one_heading(words: tuple[str, ...]) -> None:
     command = GROUPED[words]
-    named = [name for names in command.headings().values() for name in names]
+    named = [name for names in command.groups.values() for name in names]
     options = {p.name: p.opts[0] for p in command.params if p.param_type_name == "option"}
     assert sorted(named) == sorted({*options, "help"})
     lines = help_of(words)
-    headings = [*(["Arguments"] if has_arguments(command) else []), *command.headings()]
+    headings = [*(["Arguments"] if has_arguments(command) else []), *command.groups]
     assert [line[:-1] for line in lines if re.fullmatch(r"[A-Z].*:", line)] == headings
     lines = lines[: next(i for i, line in enumerate(lines) if line.startswith("  Example"))]
     for option in options.values():

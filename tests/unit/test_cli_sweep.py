@@ -12,12 +12,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
 from tests.children import python
 from typer.testing import CliRunner, Result
 
 from rolamento.cli import sweep_progress
-from rolamento.cli.sweep import sweep
+from rolamento.cli.requested import program_of
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.pages.study import study_page
@@ -43,8 +42,7 @@ def run(tmp_path: Path, examples: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
     monkeypatch.chdir(tmp_path)
     Path("case.toml").write_text((examples / "218_combined.toml").read_text("utf-8"), "utf-8")
     Path("study.toml").write_text(STUDY, "utf-8")
-    app = typer.Typer(add_completion=False)
-    app.command()(sweep)
+    app = program_of("studying:SweepRequest", "sweep")
 
     def runner(*arguments: str, given: str | None = None) -> Result:
         environment = {"LC_ALL": "C.UTF-8", "COLUMNS": "100"}
@@ -105,7 +103,7 @@ def test_none_with_a_result(run: Run) -> None:
         (("none.toml",), "cannot be opened"),
         (("case.toml",), "bearing: is an unknown key"),
         (("study.toml", "-o", "out.txt"), "must end in"),
-        (("study.toml", "-o", "study.toml"), "is the study file itself"),
+        (("study.toml", "-o", "study.toml"), "is one of the input files"),
         (("study.toml", "-o", "./case.toml"), "is the case file of the study; choose another name"),
         (("study.toml", "-o", "none/out.nc"), "no such directory"),
         (("study.toml", "--set", "duty.load.fy=1"), "needs a unit"),
@@ -172,7 +170,9 @@ SLOW = (
     '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nminimum = "20 kN"\n'
     'maximum = "40 kN"\n'
 )
-SWEEP = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
+SWEEP = (
+    "from rolamento.cli.requested import program_of; program_of('studying:SweepRequest', 'sweep')()"
+)
 
 
 def ended(how: signal.Signals, *arguments: str, **options: Any) -> str:

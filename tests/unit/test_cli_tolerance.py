@@ -10,19 +10,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-import typer
 import xarray as xr
 from typer.testing import CliRunner
 
-from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.tolerance import tolerance
+from rolamento.cli.requested import program_of
 from rolamento.studies.sensitivity import rank_correlation
 from rolamento.studies.tolerance import tolerance_bands
 
 Run = Callable[..., tuple[int, str, str]]
 
-app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-app.command(cls=JsonCommand)(tolerance)
+app = program_of("studying:ToleranceRequest", "tolerance")
 
 STUDY = """
 title = "218 with its tolerances"
@@ -218,12 +215,12 @@ def test_without_any_result_the_exit_code_says_so(run: Run) -> None:
     [
         (("nothing.nc",), "cannot be opened"),
         (("case.toml",), "case.toml"),
-        (("result.nc", "--percentiles", "5,x"), "must be numbers"),
+        (("result.nc", "--percentiles", "5,x"), "must be a number"),
         (("result.nc", "--percentiles", "0,5"), "between 0 and 100"),
         (("result.nc", "--sobol", "64"), "needs the study file"),
         (("study.toml", "--sobol", "65"), "power of two"),
         (("result.nc", "--plot", "x.gif"), "must end in .png, .svg or .pdf"),
-        (("result.nc", "--json", "result.nc"), "is the study itself"),
+        (("result.nc", "--json", "result.nc"), "is one of the input files"),
         (("sweep.nc",), "has no scatter"),
         (
             ("axes.nc", "--plot", "x.png"),

@@ -94,7 +94,7 @@ def test_a_bearing_without_tilt_stiffness_stays_one_element() -> None:
 @pytest.mark.parametrize(
     ("one", "rule"),
     [
-        (map_of(np.eye(5), speeds=6), "--points = 6: must be at least 7"),
+        (map_of(np.eye(5), speeds=6), "points = 6: must be at least 7"),
         (
             StiffnessMap(
                 "A", (MapAxis("duty.load.fx", "N", np.arange(7.0)),), np.zeros((7, 5, 5)),

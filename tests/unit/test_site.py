@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -180,3 +181,18 @@ def test_a_page_that_loads_from_elsewhere_is_found(tmp_path: Path) -> None:
         "a.html loads https://cdn.example.org/x.js",
         "a.css loads https://fonts.example.org/a.css",
     ]
+
+
+def test_a_page_about_a_word_weighs_more_than_one_that_mentions_it() -> None:
+    index = {
+        "docnames": ["heading", "mentions", "about"],
+        "terms": {"life": [1, 2]},
+        "titleterms": {"life": 0},
+    }
+    pages = {
+        "heading": Counter(life=2, of=20),
+        "mentions": Counter(life=1, of=200),
+        "about": Counter(lifes=20, of=20),
+    }
+    mentions, about, heading = map(int, search.weigh(index, pages)["weights"]["life"])
+    assert mentions < heading < about

@@ -10,9 +10,9 @@ import pytest
 import rolamento as ro
 from rolamento.case.machine import load_machine
 from rolamento.case.machine_fields import field_of_machine, fields_of_machine
-from rolamento.cli.sweep import fields_text, outputs_text
 from rolamento.errors import InputError
 from rolamento.machines import acts_alone, shaft, solve_machines
+from rolamento.pages.study import fields_text, outputs_text
 from rolamento.studies import Axis, Distribution, Scatter, Study, load_result, run, run_to_file
 from rolamento.studies.of_machine import MOST_MACHINES
 from rolamento.studies.plan import Plan, solve_task

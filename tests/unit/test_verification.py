@@ -15,11 +15,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
 from typer.testing import CliRunner
 
-from rolamento.cli.optional_value import JsonCommand, with_values
-from rolamento.cli.verify import verify
+from rolamento.cli.optional_value import with_values
+from rolamento.cli.requested import program_of
 from rolamento.document import Medium
 from rolamento.document.cells import cell
 from rolamento.document.markdown import markdown
@@ -367,8 +366,7 @@ Command = Callable[..., Outcome]
 def command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
     """Run the command in an empty directory."""
     monkeypatch.chdir(tmp_path)
-    app = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
-    app.command(cls=JsonCommand)(verify)
+    app = program_of("verifying:VerificationRequest", "verify")
 
     def runner(*arguments: str, **environment: str) -> Outcome:
         result = CliRunner().invoke(app, arguments, env={"LC_ALL": "C.UTF-8", **environment})

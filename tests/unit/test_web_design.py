@@ -43,6 +43,38 @@ def test_nothing_helps_a_case_without_a_result() -> None:
     assert helps({"case": lost}) == {"trials": []}
 
 
+@pytest.mark.parametrize("designation", ["7210 B", "7014 C DT", "32008"])
+@pytest.mark.parametrize("speed", ["100 rpm", "9000 rpm"])
+def test_a_missing_axial_load_is_one_that_holds(designation: str, speed: str) -> None:
+    bearing = {"designation": designation}
+    if designation.endswith("DT"):
+        bearing["spacing"] = "20 mm"
+    lost = {"bearing": bearing, "duty": {"inner_speed": speed, "load": {"fz": "5 kN"}}}
+    (trial,) = helps({"case": lost})["trials"]
+    held = changed(lost, trial["changes"], Case, in_file=True)
+    assert list(trial["changes"]) == ["duty.load.fx"]
+    assert solve(Case.from_mapping(held)).converged[0]
+
+
+@pytest.mark.parametrize(
+    ("lubricant", "name"),
+    [("ISO VG 68", "oil"), ({"kind": "grease", "base_oil": "ISO VG 100"}, "grease")],
+)
+def test_the_speed_stands_beside_its_limit(lubricant: Any, name: str) -> None:
+    for speed, tone in (("1480 rpm", ""), ("9000 rpm", "warning")):
+        case = {**CASE, "lubricant": lubricant, "duty": {**CASE["duty"], "inner_speed": speed}}
+        figures = {one["label"]: one for one in live({"cases": [{"case": case}]})["figures"][0]}
+        assert figures["speed"]["limit"].endswith(f"rpm ({name})")
+        assert figures["speed"]["tone"] == tone
+
+
+def test_what_is_refused_names_fields_as_the_page_does() -> None:
+    case = {**CASE, "life": {"cleanliness": "-/17/14"}}
+    (answer,) = live({"cases": [{"case": case}]})["cases"]
+    assert answer["error"]["field"] == "life.oil_supply"
+    assert answer["error"]["rule"] == "is missing; “cleanliness code (ISO 4406)” needs it"
+
+
 def test_a_goal_is_found_and_gives_the_result() -> None:
     found = seek({"case": CASE, "vary": "duty.load.fz", "output": "max_inner_max_pressure",
                   "wanted": "2 GPa"})  # fmt: skip

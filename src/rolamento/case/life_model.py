@@ -9,10 +9,10 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from rolamento.case.former import with_current_names
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
-from rolamento.errors import InputError, guess
+from rolamento.errors import InputError, guess, phrase
 from rolamento.io.columns import folded_name
 from rolamento.iso4406 import cleanliness_numbers
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = ["CONTAMINATION_FIELDS", "LifeModel", "TallianFactors"]
 
@@ -106,7 +106,9 @@ class TallianFactors(Record):
             )
         if given and self.strength is None:
             raise InputError(
-                said("is missing; failure_rate needs it"), field="strength", example="1e-97"
+                phrase(marked("is missing; {first} needs it"), first="failure_rate"),
+                field="strength",
+                example="1e-97",
             )
         return self
 
@@ -247,12 +249,12 @@ class LifeModel(Record):
             return
         if getattr(self, second) is None:
             raise InputError(
-                said("is missing; {first} needs it", first=first),
+                phrase(marked("is missing; {first} needs it"), first=first),
                 field=second,
                 example=second_example,
             )
         raise InputError(
-            said("needs {first}", first=first),
+            phrase(marked("needs {first}"), first=first),
             field=second,
             example=f"{first} = {value}",
         )

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from rolamento.case.named import NamedRecord
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record
-from rolamento.errors import InputError
+from rolamento.errors import InputError, phrase
 from rolamento.io.data import toml_of
 from rolamento.units import readable
 from rolamento.words import marked, said
@@ -279,9 +279,12 @@ class Lubricant(NamedRecord):
         wanted = 1 if given == ["viscosity_40"] else 0
         if len(hot) != wanted:
             rule = (
-                said("is needed with viscosity_40, or else the viscosity index; not both")
+                phrase(
+                    marked("is needed with {given}, or else the viscosity index; not both"),
+                    given="viscosity_40",
+                )
                 if wanted
-                else said("cannot be combined with {given}", given=given[0])
+                else phrase(marked("cannot be combined with {before}"), before=given[0])
             )
             raise InputError(
                 rule,

@@ -138,7 +138,7 @@ class RollerParameters(Parameters):
         made: dict[str, Any] = {}
         if self.bearing_type.conical and "roller_half_angle" not in known:
             sizes = (self.roller_diameter, self.pitch_diameter, self.contact_angle)
-            made["roller_half_angle"] = apex_half_angle(*sizes)
+            made["roller_half_angle"] = apex_half_angle(*sizes, washers=self.bearing_type.washers)
         if "effective_length" in varied and "roller_length" not in known:
             made["roller_length"] = self.effective_length
         shape = self.with_(**made)

@@ -25,7 +25,7 @@ from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 from rolamento.case.hints import hint
 from rolamento.case.quantity import AT_THE_BORDER, Replaces
-from rolamento.errors import ABSENT, InputError, UnknownKeyError
+from rolamento.errors import ABSENT, InputError, UnknownKeyError, phrase
 from rolamento.records import concise
 from rolamento.words import marked, said
 
@@ -223,7 +223,7 @@ def refuse_rivals(record: BaseModel) -> None:
         for before in given[:index]:
             if before in replaced(type(record), name) and name in replaced(type(record), before):
                 raise InputError(
-                    said("cannot be combined with {before}", before=before), field=name
+                    phrase(marked("cannot be combined with {before}"), before=before), field=name
                 )
 
 

@@ -33,7 +33,6 @@ from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.types import (
     PLAIN_ROLLER,
-    ROLLER,
     BearingType,
     Ribs,
     RollerElement,
@@ -44,7 +43,7 @@ from rolamento.types import (
 from rolamento.units import readable
 from rolamento.words import said
 
-__all__ = ["RollerBearing", "below_axis", "roller_clearance_fits"]
+__all__ = ["RollerBearing", "axis_angle", "below_axis", "roller_clearance_fits"]
 
 USUAL_RIB_HEIGHT: Final = 0.1
 """Fraction of the roller's diameter: where a rib touches if the bearing does not say; general
@@ -79,18 +78,28 @@ def _length_as_effective(told: dict[str, Any]) -> float:
     return float(told.get("effective_length", math.nan))
 
 
+def _type_of(told: Mapping[str, Any]) -> BearingType | None:
+    """The type by rings and rollers as they are told; None of what nobody knows."""
+    element, kind = told.get("element"), told.get("kind")
+    if element not in get_args(RollerElement):
+        return None
+    if kind in get_args(RollerRings):
+        return of_grooves(str(kind), str(element))
+    return type_of_element(str(element))
+
+
 def _is_conical(told: Mapping[str, Any]) -> bool:
-    element = told.get("element")
-    return element is not None and type_of_element(element).conical
+    kind = _type_of(told)
+    return kind is not None and kind.conical
 
 
 def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
     """φ of tapered rollers that roll along all their length; None of others."""
     names = ("roller_diameter", "pitch_diameter", "contact_angle")
-    known = [told.get(name) for name in names]
-    if not _is_conical(told) or not all(known):
+    known, kind = [told.get(name) for name in names], _type_of(told)
+    if kind is None or not kind.conical or not all(known):
         return None
-    return float(apex_half_angle(*cast("list[float]", known)))
+    return float(apex_half_angle(*cast("list[float]", known), washers=kind.washers))
 
 
 _SHAPE: Final = frozenset(
@@ -150,7 +159,7 @@ def _too_many_rollers(bearing: RollerBearing) -> InputError:
 
 
 def _cones_meet_the_axis(bearing: Any) -> Any:
-    """Whether 0 < α - 2φ and α < 90°; rollers between flat washers stand at 90°."""
+    """Whether 0 < α - 2φ and α < 90°; rollers between washers stand at 90°."""
     if bearing.bearing_type.washers:
         return abs(bearing.contact_angle - 0.5 * math.pi) < _RIGHT
     if not bearing.bearing_type.conical:
@@ -162,7 +171,7 @@ def _cones_meet_the_axis(bearing: Any) -> Any:
 def _cones_do_not(bearing: RollerBearing) -> InputError:
     if bearing.bearing_type.washers:
         return InputError(
-            said("of rollers between flat washers is 90 deg"),
+            said("of rollers between washers is 90 deg"),
             field="contact_angle",
             value=readable(bearing.row_angle, "angle"),
             example='contact_angle = "90 deg"',
@@ -258,6 +267,16 @@ def _end_too_small(bearing: RollerBearing) -> InputError:
         value=readable(bearing.roller_end_radius or 0.0, "length"),
         example='roller_end_radius = "120 mm"',
     )
+
+
+def axis_angle(bearing: Any) -> Any:
+    """Angle of the rollers' axes to the shaft: β = α - φ, between washers α; rad.
+
+    bearing: a record or parameters.
+    """
+    angle = 0.0 if bearing.contact_angle is None else bearing.contact_angle
+    kind = bearing.bearing_type
+    return angle - bearing.roller_half_angle if kind.conical and not kind.washers else angle
 
 
 def raceway_radii(bearing: Any) -> tuple[Any, Any, Any]:
@@ -403,11 +422,12 @@ class RollerBearing(RollingBearing):
     kind
         Of the rings. Of barrel-shaped rollers: ``"spherical"``, two rows at ± the contact angle in
         an outer ring that is a sphere about the bearing's centre; ``"toroidal"``, one row whose
-        races are tori; one row in a sphere if not given. Of cylindrical ones: ``"thrust"``, between
-        flat washers.
+        races are tori; one row in a sphere if not given. Of cylindrical and tapered ones:
+        ``"thrust"``, between washers that are flat, or both cones.
     roller_half_angle
         φ of tapered rollers, half of the angle of their cone, in rad; the inner raceway's line of
-        action is at α - 2φ. If not given, that of cones which all have one apex.
+        action is at α - 2φ. Between washers α = 90° is the angle of the rollers' axes, the washers'
+        lines of action are at α ± φ. If not given, that of cones which all have one apex.
     roller_profile_radius
         r_r, of the profile of barrel-shaped rollers in m; 0.97 of the outer raceway's if not given.
     inner_raceway_radius, outer_raceway_radius
@@ -578,8 +598,8 @@ class RollerBearing(RollingBearing):
     @classmethod
     def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
         """Rollers of another shape than the catalogue's have their own ends; washers are flat."""
-        kind = {**given, **found}.get("kind")
-        if kind in get_args(RollerRings) and of_grooves(str(kind), ROLLER).washers:
+        kind = _type_of({"element": PLAIN_ROLLER, **given, **found})
+        if kind is not None and kind.washers:
             if given.get("contact_angle") is None:
                 found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
             found.pop("diametral_clearance", None)
@@ -590,7 +610,7 @@ class RollerBearing(RollingBearing):
     def bearing_type(self) -> BearingType:
         """By its rings where they are not plain, else by its rollers."""
         if self.kind is not None:
-            return of_grooves(self.kind, ROLLER)
+            return of_grooves(self.kind, self.element)
         return type_of_element(self.element)
 
     @property
@@ -628,13 +648,18 @@ class RollerBearing(RollingBearing):
 
     @property
     def row_angle(self) -> float:
-        """α: that of the outer raceway of tapered rollers, else 0; rad."""
+        """α: that of the outer raceway of tapered rollers, 90° between washers, else 0; rad."""
         return self.contact_angle or 0.0
 
     @property
     def inner_contact_angle(self) -> float:
-        """α - 2φ: that of the inner raceway of tapered rollers, else 0; rad."""
-        return self.row_angle - 2.0 * (self.roller_half_angle or 0.0)
+        """β - φ, of the inner raceway; rad."""
+        return float(axis_angle(self)) - (self.roller_half_angle or 0.0)
+
+    @property
+    def outer_contact_angle(self) -> float:
+        """β + φ, of the outer raceway: α, but of a conical washer; rad."""
+        return float(axis_angle(self)) + (self.roller_half_angle or 0.0)
 
     @property
     def contact_height(self) -> float:

@@ -46,10 +46,10 @@ from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
-from rolamento.errors import InputError
+from rolamento.errors import InputError, phrase
 from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
 from rolamento.units import Dimension, from_si
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.case.bearing import Bearing
@@ -484,7 +484,7 @@ class RollingBearing(Record):
                 ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
             )
             raise InputError(
-                said("is missing; {beside} needs it", beside=beside),
+                phrase(marked("is missing; {beside} needs it"), beside=beside),
                 field=missing,
                 example='arrangement = "DB" with spacing = "24 mm"',
             )

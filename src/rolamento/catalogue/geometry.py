@@ -317,7 +317,9 @@ def _roller_geometry(
         origins["contact_angle"] = "published" if told else "inferred"
         if with_rollers and bearing.type.conical:
             size = (fields["roller_diameter"], fields["pitch_diameter"])
-            fields["roller_half_angle"] = float(apex_half_angle(*size, angle))
+            fields["roller_half_angle"] = float(
+                apex_half_angle(*size, angle, washers=bearing.type.washers)
+            )
             origins["roller_half_angle"] = "inferred"
             end = (
                 fields["roller_diameter"],

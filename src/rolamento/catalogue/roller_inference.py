@@ -100,13 +100,15 @@ def roller_diameters() -> FloatArray:
 
 
 def nominal_angle(bearing: CatalogueBearing) -> float:
-    """Return α in rad: published, else by e or Y where makers list these, else 0.
+    """Return α in rad: published, else by e or Y where makers list these, else 0; of washers 90°.
 
     ISO 281:2007, table 8: e = 1.5 tan α; of one row Y = 0.4 cot α, of two Y = 0.45 cot α up to e,
     which is printed with more digits than e is.
     """
     if bearing.contact_angle is not None:
         return bearing.contact_angle
+    if bearing.type.washers:
+        return 0.5 * pi
     if not bearing.type.axial_limit_of_maker:
         return 0.0
     two, factor = bearing.rows > 1, bearing.axial_factor

@@ -79,8 +79,8 @@ def _published(bearing: CatalogueBearing) -> tuple[int, float] | None:
 def _angle(bearing: CatalogueBearing, ratio: float) -> float:
     if not bearing.has_rollers:
         return bearing.contact_angle or 0.0
-    outer = nominal_angle(bearing)
-    return outer - float(apex_half_angle(ratio, 1.0, outer))
+    angle = nominal_angle(bearing)
+    return angle if bearing.type.washers else angle - float(apex_half_angle(ratio, 1.0, angle))
 
 
 @lru_cache(maxsize=1)

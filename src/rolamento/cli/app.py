@@ -16,9 +16,8 @@ from typer.main import get_group_from_info
 from typer.models import TyperInfo
 
 import rolamento
-from rolamento.cli.common import SOLVED, WRONG_INPUT, plain_endings
+from rolamento.cli.common import SOLVED, WRONG_INPUT, LanguageOption, plain_endings
 from rolamento.cli.grouped_help import GroupedCommands
-from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import end_of_output, print_text
 from rolamento.words import marked, said
 
@@ -68,7 +67,7 @@ COMMANDS: Final[Mapping[str, Mapping[str, str]]] = {
     },
     "Lubrication": {
         "grease": marked("Show how long a grease lives, and which one to take."),
-        "oil": marked("Show which ISO viscosity grade gives a wanted κ."),
+        "oil": marked("Show which ISO viscosity grade gives the required κ."),
     },
     "Studies and figures": {
         "sweep": marked("Solve many cases: ranges of fields, or random draws."),
@@ -89,7 +88,7 @@ Each with the first line of its own help, so that the list imports none of them.
 _LINES: Final = {name: line for lines in COMMANDS.values() for name, line in lines.items()}
 
 _MODULES: Final = {
-    "app": "browser", "examples": "new", "import": "exchange", "export": "exchange",
+    "app": "browser",
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
@@ -99,20 +98,32 @@ _REQUESTS: Final = {
     "diagnose": "vibration_diagnosis:VibrationDiagnosis",
     "electrical": "inside:ElectricalRequest",
     "frequencies": "running:FrequenciesRequest",
+    "examples": "new_case:ExamplesRequest",
+    "export": "exchange:ExportRequest",
     "friction": "inside:FrictionRequest",
     "grease": "lasting:GreaseRequest",
     "heat": "inside:HeatRequest",
+    "import": "exchange:ImportRequest",
     "life": "lasting:LifeRequest",
+    "new": "new_case:NewRequest",
     "oil": "lasting:OilRequest",
     "oscillation": "lasting:OscillationRequest",
+    "plot": "studying:PlotRequest",
+    "report": "inside:ReportRequest",
+    "rotor": "rotor:RotorRequest",
     "seek": "seek:GoalSeek",
     "service-life": "lasting:ServiceLifeRequest",
     "severity": "severity:VibrationSeverity",
+    "shaft": "machines:ShaftRequest",
     "solve": "inside:SolveRequest",
     "speed": "running:SpeedRequest",
     "static": "inside:StaticRequest",
+    "sweep": "studying:SweepRequest",
+    "synthesise": "recipe:SynthesisRequest",
+    "tolerance": "studying:ToleranceRequest",
     "trend": "weibull:TrendEvaluation",
     "turn": "inside:TurnRequest",
+    "verify": "verifying:VerificationRequest",
     "weibull": "weibull:LifeTestEvaluation",
 }
 """Commands that are made of a request."""

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.common import SOLVED, plain_endings
+from rolamento.cli.common import SOLVED, LanguageOption, plain_endings
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.cli.waiting import silenced
 from rolamento.errors import InputError, cause

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import fields
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from rolamento.cli.option_records import with_record
-from rolamento.cli.options import CataloguesOption, OuterSpeedOption, SettingsOption, SpeedOption
 from rolamento.errors import InputError
 from rolamento.records import frozen
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    import rolamento
+    pass
 
-__all__ = ["CASE_OPTIONS", "NOTHING_GIVEN", "SHORT_FORMS", "CaseOptions", "with_case"]
+__all__ = ["CASE_OPTIONS", "SHORT_FORMS", "CaseOptions"]
 
 _FIELDS: Final = {
     "fr": ("--fr", "duty.load.fz", "5 kN"),
@@ -50,8 +48,18 @@ class CaseOptions:
         str | None,
         typer.Option("--moment", metavar="MOMENT", help="Moment about y, such as '20 N m'."),
     ] = None
-    speed: SpeedOption = None
-    outer_speed: OuterSpeedOption = None
+    speed: Annotated[
+        str | None,
+        typer.Option(
+            "--speed", metavar="SPEED", help="Speed of the inner ring, such as '1797 rpm'."
+        ),
+    ] = None
+    outer_speed: Annotated[
+        str | None,
+        typer.Option(
+            "--outer-speed", metavar="SPEED", help="Speed of the outer ring, with its sign."
+        ),
+    ] = None
     temperature: Annotated[
         str | None,
         typer.Option(
@@ -66,8 +74,20 @@ class CaseOptions:
             "--lubricant", metavar="NAME", help="Oil or grease by its name, such as 'ISO VG 68'."
         ),
     ] = None
-    catalogue: CataloguesOption = None
-    set: SettingsOption = None
+    catalogue: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--catalogue",
+            metavar="FILE",
+            help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+        ),
+    ] = None
+    set: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."
+        ),
+    ] = None
 
     @property
     def settings(self) -> tuple[str, ...]:
@@ -103,40 +123,6 @@ class CaseOptions:
         except InputError as error:
             raise self._in_options(error) from None
 
-    def case(
-        self, name: str, *more: str, otherwise: Sequence[str] = (), needs_load: bool = False
-    ) -> rolamento.Case:
-        """Return the case of a file or of a designation, with the options and further settings.
-
-        Parameters
-        ----------
-        name
-            CASE as it was given.
-        more
-            Settings that come from other options of the command.
-        otherwise
-            Settings of tables that the case may lack, as `rolamento.load_case` has it.
-        needs_load
-            Refuse a designation that no option gives a load; what a file has is its own affair.
-
-        Raises
-        ------
-        InputError, FileError
-            As `rolamento.load_case`.
-        """
-        import rolamento
-        from rolamento.tasks.bearing import has_load
-
-        case = rolamento.load_case(name, (*self.settings, *more), otherwise=otherwise)
-        if needs_load and rolamento.case.is_designation(name) and not has_load(case):
-            raise InputError(
-                said("is missing: nothing loads the bearing"),
-                source=name,
-                field="duty.load",
-                example="--fr '5 kN' --speed '1480 rpm'",
-            )
-        return case
-
     def _catalogues(self) -> AbstractContextManager[object]:
         if not self.catalogue:
             return nullcontext()
@@ -166,10 +152,5 @@ def _refuse_thousands(text: str, option: str) -> None:
         raise error.with_details(source=option, example=example) from None
 
 
-NOTHING_GIVEN: Final = CaseOptions()
-"""The case as its file has it."""
 CASE_OPTIONS: Final = tuple(one.name for one in fields(CaseOptions))
 """The names of their parameters, for the groups of a help."""
-
-with_case = with_record("given", CaseOptions)
-"""Give a command the options of `CaseOptions`, which it takes as one argument, ``given``."""

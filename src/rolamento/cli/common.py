@@ -8,16 +8,13 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import StrEnum
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
 from rolamento.cli.streams import STANDARD_STREAM, complain
 from rolamento.errors import InputError
 from rolamento.words import languages, said, speaking
-
-if TYPE_CHECKING:
-    from rolamento.solved import Solved
 
 SOLVED: Final = 0
 NO_RESULT: Final = 1
@@ -35,6 +32,19 @@ if TYPE_CHECKING:
 else:
     Language = StrEnum("Language", {code: code for code in languages()})
 
+LanguageOption = Annotated[
+    Language | None,
+    typer.Option(
+        "--lang", help="Language of pages, help and messages; by default that of the locale."
+    ),
+]
+
+
+def json_option(what: str) -> Any:
+    """Return the option ``--json [FILE]`` that does what is said."""
+    text = f"{what}; without FILE, to standard output."
+    return typer.Option("--json", metavar="[FILE]", help=text)
+
 
 @contextmanager
 def plain_endings(lang: Language | None) -> Iterator[None]:
@@ -45,8 +55,8 @@ def plain_endings(lang: Language | None) -> Iterator[None]:
         except InputError as error:
             complain(str(error))
             raise typer.Exit(WRONG_INPUT) from None
-        except KeyboardInterrupt:
-            complain(said("interrupted"))
+        except KeyboardInterrupt as stop:  # which may say what is kept
+            complain(str(stop) or said("interrupted"))
             raise typer.Exit(INTERRUPTED) from None
 
 
@@ -72,15 +82,6 @@ def ended_softly() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGTERM, before)
-
-
-def complain_of(solved: Solved, lang: Language | None, case: int = 0) -> None:
-    """Say on standard error why a case has no result, and what to do."""
-    from rolamento.words.reasons import reason
-
-    advice = solved.advice[case]
-    parts = (reason(str(solved.status.code[case])), "" if advice is None else advice.text)
-    complain(": ".join(part for part in parts if part))
 
 
 def same_file(path: str, other: str) -> bool:

@@ -9,9 +9,8 @@ from typing import Annotated, Final
 
 import typer
 
-from rolamento.cli.common import plain_endings
+from rolamento.cli.common import LanguageOption, plain_endings
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text, show
 from rolamento.cli.waiting import waiting
 from rolamento.words import said

@@ -10,7 +10,6 @@ from typing import Any, ClassVar, Final, TypeVar, get_args
 import typer.core
 from typer.core import TyperCommand, TyperGroup
 
-from rolamento.cli.case_options import CASE_OPTIONS
 from rolamento.cli.complaints import UsageError, complaining
 from rolamento.cli.waiting import working
 from rolamento.errors import nearest
@@ -24,12 +23,6 @@ Groups = Mapping[str, Collection[str]]
 METAVAR: Final = "metavar"
 """The context of words that stand for a value, such as FILE."""
 
-_LONG: Final = 15
-"""Parameters beyond which options stand below headings."""
-_WRITTEN: Final = (
-    "json", "plot", "report", "csv", "xlsx", "table", "separator", "decimal", "si", "lang"
-)  # fmt: skip
-"""Options that say what is written, and how."""
 _LONGEST: Final = 200
 """Characters of a one-line help, which is wrapped and not cut where it is too long for a line."""
 
@@ -48,21 +41,6 @@ class SpokenCommand(TyperCommand):
     """A command whose help is said, the options in groups by the names of their parameters."""
 
     groups: ClassVar[Groups] = {}
-
-    def headings(self) -> Groups:
-        """Return its groups; in a long list without any, what is written stands apart."""
-        names = [str(p.name) for p in self.params if p.param_type_name == "option"]
-        if self.groups or len(self.params) <= _LONG:
-            return self.groups
-        written = tuple(name for name in names if name in _WRITTEN)
-        of_case = tuple(name for name in names if name in CASE_OPTIONS)
-        others = tuple(name for name in names if name not in (*written, *of_case))
-        groups = {
-            marked("Bearing and duty"): of_case,
-            marked("Options"): others,
-            marked("Output"): (*written, "help"),
-        }
-        return {heading: names for heading, names in groups.items() if names}
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments, and refuse those that are too many."""
@@ -209,7 +187,7 @@ def _write_options(
             arguments.append(record)
         elif record is not None:
             options[str(parameter.name)] = record
-    of_command = {} if more else command.headings()
+    of_command = {} if more else command.groups
     groups = _grouped(options, of_command, marked("Options"))
     _write(formatter, {marked("Arguments"): arguments, **groups})
     _write(formatter, more)

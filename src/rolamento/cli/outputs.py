@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from rolamento.cli.common import same_file
-from rolamento.cli.option_records import with_record
 from rolamento.cli.streams import STANDARD_STREAM, put, show
 from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
@@ -21,7 +20,7 @@ from rolamento.words.naming import listed
 if TYPE_CHECKING:
     from rolamento.document import Document
 
-__all__ = ["NOWHERE", "OUTPUT_OPTIONS", "Outputs", "check_outputs", "with_outputs"]
+__all__ = ["OUTPUT_OPTIONS", "Outputs", "check_outputs"]
 
 _PICTURES: Final = ("--plot", "--contour", "--kurtogram")
 _SEPARATORS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|"}
@@ -104,10 +103,14 @@ class Outputs:
         self._marks()
         check_outputs({**others, **self.files()}, *read, **rule)
 
+    @property
+    def has_tables(self) -> bool:
+        """Whether tables of the page go to files."""
+        return self.csv is not None or self.xlsx is not None
+
     def show(
         self,
         page: Callable[[], Document],
-        json: str | None = None,
         *others: str | None,
         report: Callable[[], Document] | None = None,
     ) -> None:
@@ -117,12 +120,12 @@ class Outputs:
         ----------
         page
             Returns it; not called where nobody asked for it.
-        json, others
+        others
             Where else the command has written data to.
         report
             Returns what a report has, where that is more than the page.
         """
-        silent = STANDARD_STREAM in (self.csv, json, *others)
+        silent = STANDARD_STREAM in (self.csv, *others)
         if silent and not any(self.files().values()):
             return
         document = page()
@@ -176,14 +179,8 @@ def _mark(option: str, given: str, marks: Mapping[str, str]) -> str:
     return marks[given]
 
 
-NOWHERE: Final = Outputs()
-"""Only the terminal."""
 OUTPUT_OPTIONS: Final = tuple(one.name for one in fields(Outputs))
 """The names of their parameters, for the groups of a help."""
-
-
-with_outputs = with_record("outputs", Outputs)
-"""Give a command the options of `Outputs`, which it takes as one argument, ``outputs``."""
 
 
 def check_outputs(

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol
 
 import typer
 
-from rolamento.cli.common import plain_endings
+from rolamento.cli.common import LanguageOption, plain_endings
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.cli.waiting import silenced
 from rolamento.errors import InputError, guess

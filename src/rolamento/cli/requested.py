@@ -3,29 +3,31 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import json as json_format
+import os
+import shlex
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.case_options import (
-    CASE_OPTIONS,
-    NOTHING_GIVEN,
-    CaseOptions,
-    with_case,
+from rolamento.cli.case_options import CASE_OPTIONS, SHORT_FORMS, CaseOptions
+from rolamento.cli.common import (
+    NO_RESULT,
+    SOLVED,
+    LanguageOption,
+    ended_softly,
+    json_option,
+    plain_endings,
 )
-from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
-from rolamento.cli.option_names import in_names
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import JsonOption, LanguageOption, json_option
-from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
-from rolamento.cli.shipped_data import check_one_given, data_and_json
+from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError
 from rolamento.io.writing import write_text
-from rolamento.words import marked, said
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.tasks.request import Input, Request
@@ -51,53 +53,66 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
         What the command is called.
     """
 
-    def command(
-        given: CaseOptions = NOTHING_GIVEN,
-        json: JsonOption = None,
-        outputs: Outputs = NOWHERE,
-        lang: LanguageOption = None,
-        **typed: Any,
-    ) -> None:
-        with plain_endings(lang), given.in_force(), _in_options(request):
+    def command(**typed: Any) -> None:
+        lang, json = typed.pop("lang"), typed.pop("json", None)
+        own = {one: typed.pop(one) for one in CASE_OPTIONS if one not in inputs and one in typed}
+        given = CaseOptions(**own)
+        outputs = Outputs(**{one: typed.pop(one) for one in OUTPUT_OPTIONS if one in typed})
+        with plain_endings(lang), given.in_force(), _in_options(request, typed):
             files = {f"--{one}": typed.pop(one) for one in request.products}
             if request.ships:
                 json = _shipped(request, name, typed, json)
-            read = [
-                path
-                for field, one in request.inputs().items()
-                if (one.names_files or one.kind == "bearing") and typed[field]
-                for path in (typed[field] if one.is_many else [typed[field]])
-            ]
-            outputs.check({"--json": json, **files}, *read)
+            read = _read(request, typed)
             _check_words(request, read, json)
+            if "tables" in request.model_fields:
+                typed["tables"] = outputs.has_tables
             asked = _asked(request, typed, given)
+            target = asked.target
+            others = {
+                one.long_option(name): typed[name]
+                for name, one in inputs.items()
+                if one.kind == "target" and name != "output"
+            }
+            outputs.check({"--output": target, **others, "--json": json, **files}, *read)
+            _refuse_there(asked)
             for option, path in files.items():
                 check = request.products[option.removeprefix("--")].check
                 if path is not None and check is not None:
                     check(asked)
             found = _run(asked)
+            if target == STANDARD_STREAM:
+                content = asked.content(found)
+                put(content if isinstance(content, str) else content.decode("utf-8-sig"), target)
+            elif target is not None:
+                asked.write(found, target)
             _write(asked, found, files)
+            if STANDARD_STREAM in others.values() and asked.has_result(found):
+                json = STANDARD_STREAM  # what another target holds is its JSON
             if json is not None:
                 put(asked.json_text(found) + "\n", json)
-            outputs.show(lambda: asked.page(found), json, *files.values())
+            taken, has_page = (json, target, *files.values()), asked.has_page(found)
+            if has_page:
+                outputs.show(lambda: asked.page(found), *taken, report=asked.report(found))
+            if STANDARD_STREAM not in taken:
+                print_text(asked.closing(found))
             complaint = asked.complaint(found)
-            if complaint and STANDARD_STREAM in (json, outputs.csv, *files.values()):
+            if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *taken)):
                 for line in complaint.splitlines():
                     complain(line)
         raise typer.Exit(SOLVED if asked.has_result(found) else NO_RESULT)
 
-    command.__signature__ = _signature(command, request)  # type: ignore[attr-defined]
+    inputs = request.inputs()
+    command.__signature__ = _signature(request)  # type: ignore[attr-defined]
     command.__name__, command.__doc__ = name, request.summary()
-    spoken = with_outputs(command)
     groups: dict[str, tuple[str, ...]] = request.options_by_heading()
     written = (*request.products, *(("write",) if request.ships else ()))
-    groups[marked("Output")] = (*written, "json", *OUTPUT_OPTIONS, "lang", "help")
+    targets = groups.pop("Output", ())
+    groups["Output"] = (*targets, *written, "json", *OUTPUT_OPTIONS, "lang", "help")
     if request.takes_case:
-        spoken = with_case(spoken)
         first = next(iter(groups))
-        groups[first] += tuple(name for name in CASE_OPTIONS if name not in request.inputs())
+        groups[first] += tuple(name for name in CASE_OPTIONS if name not in inputs)
     shown = type("RequestedCommand", (JsonCommand,), {"groups": groups})
-    app.command(name, cls=shown, epilog=request.examples)(spoken)
+    app.command(name, cls=shown, epilog=request.examples or None)(command)
 
 
 def program_of(path: str, name: str) -> typer.Typer:
@@ -115,18 +130,25 @@ def options_of(request: type[Request]) -> dict[str, inspect.Parameter]:
     return {name: _parameter(name, inputs[name], means[name]) for name in arguments_first}
 
 
-def _signature(command: Callable[..., None], request: type[Request]) -> inspect.Signature:
-    own = dict(inspect.signature(command, eval_str=True).parameters)
-    own.pop("typed")
-    own["json"] = own["json"].replace(
-        annotation=Annotated[str | None, json_option(request.json_meaning)]
-    )
-    if not request.takes_case:
-        own.pop("given")
-    products = {name: _product(name, one.meaning) for name, one in request.products.items()}
+def _signature(request: type[Request]) -> inspect.Signature:
+    """Return all that the command of a request takes; a field goes over a common option."""
+    common = _parameters(CaseOptions) if request.takes_case else {}
+    found = {**common, **options_of(request)}
+    found |= {name: _product(name, one.meaning) for name, one in request.products.items()}
     if request.ships:
-        products["write"] = _product("write", "Write the example as CSV instead.")
-    return inspect.Signature(list({**options_of(request), **products, **own}.values()))
+        found["write"] = _product("write", "Write the example as CSV instead.")
+    if request.json_meaning:
+        json = Annotated[str | None, json_option(request.json_meaning)]
+        found["json"] = _with("json", json, None)
+    found |= _parameters(Outputs) if request.shows_page else {}
+    found["lang"] = _with("lang", LanguageOption, None)
+    needed_first = sorted(found.values(), key=lambda one: one.default is not one.empty)
+    return inspect.Signature(needed_first)
+
+
+def _parameters(record: type[Any]) -> dict[str, inspect.Parameter]:
+    """Return the options of a record whose fields are annotated with them."""
+    return dict(inspect.signature(record, eval_str=True).parameters)
 
 
 def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
@@ -146,8 +168,11 @@ def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
         else:
             kind = kind | None
     else:
-        made = typer.Option(one.long_option(name), metavar=metavar, help=meaning)
+        names = ("--output", "-o") if name == "output" else (one.long_option(name),)
+        made = typer.Option(*names, metavar=metavar, help=meaning)
         kind = list[str] | None if one.is_many else str | None
+        if one.kind == "target" and one.essential:
+            kind, default = str, inspect.Parameter.empty
     return _with(name, Annotated[kind, made], default)
 
 
@@ -162,8 +187,11 @@ def _with(name: str, annotation: Any, default: Any) -> inspect.Parameter:
 
 
 @contextmanager
-def _in_options(request: type[Request]) -> Iterator[None]:
-    """Say which option gave what is refused; of a table, a column is called as it is there."""
+def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[None]:
+    """Say which option gave what is refused; of a table, a column is called as it is there.
+
+    A file may be called as a field is.
+    """
     options = {
         name: one.metavar if one.is_argument else one.long_option(name)
         for name, one in request.inputs().items()
@@ -172,9 +200,30 @@ def _in_options(request: type[Request]) -> Iterator[None]:
         yield
     except InputError as error:
         of_column = error.field in request.columns and error.source not in ("", *options)
+        is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options
-        with in_names(named):
+        named = {name: one for name, one in named.items() if not is_file or name != error.source}
+        with _in_names(named):
             raise
+
+
+def _read(request: type[Request], typed: Mapping[str, Any]) -> list[str]:
+    """Return the names of the files that are read."""
+    return [
+        path
+        for field, one in request.inputs().items()
+        if (one.names_files or one.kind == "bearing") and one.kind != "target" and typed.get(field)
+        for path in (typed[field] if one.is_many else [typed[field]])
+    ]
+
+
+def _refuse_there(asked: Request) -> None:
+    """Refuse to overwrite a file of a request that may be told to."""
+    target = asked.target
+    if target in (None, STANDARD_STREAM) or getattr(asked, "force", True):
+        return
+    if os.path.lexists(target):
+        raise InputError(said("already exists; --force overwrites it"), source=target)
 
 
 def _check_words(request: type[Request], read: Sequence[str], json: str | None) -> None:
@@ -207,20 +256,26 @@ def _shipped(
         For neither or both of a file and an example.
     """
     field = next(name for name, one in request.inputs().items() if one.is_argument)
-    example, path = typed["example"], typed.pop("write")
+    data, example, path = typed[field], typed["example"], typed.pop("write")
+    known = list((request.inputs()["example"].choices or dict)())
     if example is not None:
-        example = request.inputs()["example"].value(example)
-    typed[field], json = data_and_json(typed[field], example, json)
+        typed["example"] = example = request.inputs()["example"].value(example)
+        if json == STANDARD_STREAM and data is not None:  # beside an example, the file of the JSON
+            data, json = None, data
+    typed[field] = data
     if path is not None:
-        if example is None or typed[field] is not None:
+        if example is None or data is not None:
             raise InputError(said("goes with --example alone"), source="--write", value=path)
         write_text(request.shipped_text(example), path, new=True)
         print_text(said("Wrote {path}", path=path) + "\n")
         raise typer.Exit(SOLVED)
-    known = request.inputs()["example"].choices
-    if request.needs_file or (typed[field] is not None and example is not None):
-        check_one_given(typed[field], example, command, list(known() if known else ()))
-    return json
+    if data is not None and example is not None:
+        rule = said("give a CSV file or --example, not both")
+    elif request.needs_file and data is None and example is None:
+        rule = said("give a CSV file or --example")
+    else:
+        return json
+    raise InputError(rule, field="DATA.csv", example=f"{command} --example {known[0]}")
 
 
 def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions) -> Request:
@@ -236,6 +291,11 @@ def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions)
 def _run(asked: Request) -> Any:
     from rolamento.cli.waiting import progress_of, waiting
 
+    if asked.lasts:
+        from rolamento.cli.sweep_progress import told
+
+        with ended_softly(), told() as counted:
+            return asked.run(counted)
     if asked.counts:
         with progress_of(said(asked.waiting)) as progress:
             return asked.run(progress)
@@ -256,3 +316,35 @@ def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> None:
             save_figure(made, path)
         else:
             put(made, path)
+
+
+# --- errors in the words of a command ------------------------------------------------------------
+
+
+@contextmanager
+def _in_names(options: Mapping[str, str]) -> Iterator[None]:
+    """Say which option gave a field that is refused; options: by the names of the fields."""
+    try:
+        yield
+    except InputError as error:
+        if error.source.startswith("--"):
+            raise
+        names = {"changes": "--set", **options}
+        if not error.source and error.field in names:
+            error = error.with_details(source=error.field, field="")
+        raise error.spelled(names, _written, " ") from None
+
+
+def _written(option: str, value: str) -> str:
+    """Write an option, or what stands for an argument, with a value, as for a shell."""
+    if not option.startswith("--"):
+        return shlex.quote(value.strip('[]"'))
+    if value in ("True", "…"):
+        return option
+    if value.startswith("{"):  # what goes over a case
+        return " ".join(
+            _written(SHORT_FORMS[name], given) if name in SHORT_FORMS
+            else _written("--set", f"{name}={given}")
+            for name, given in json_format.loads(value).items()
+        )  # fmt: skip
+    return f"{option} {shlex.quote(value.strip('[]').strip(chr(34)))}"

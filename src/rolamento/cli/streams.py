@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Final, TextIO
+from typing import TYPE_CHECKING, Final, TextIO
 
 from rolamento.cli.waiting import silenced
 from rolamento.errors import FileError, cause, printable
@@ -24,7 +24,6 @@ __all__ = [
     "print_data",
     "print_text",
     "put",
-    "put_json",
     "show",
 ]
 
@@ -70,13 +69,6 @@ def put(text: str, path: str) -> None:
         print_data(text)
     else:
         write_text(text, path)
-
-
-def put_json(mapping: Mapping[str, Any], path: str) -> None:
-    """Write a result for a program as one JSON object, as `put`."""
-    from rolamento.io.json import dumps
-
-    put(dumps(mapping, indent=2) + "\n", path)
 
 
 def show(document: Document) -> None:

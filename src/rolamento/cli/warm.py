@@ -6,9 +6,8 @@ from typing import Annotated
 
 import typer
 
-from rolamento.cli.common import SOLVED, plain_endings
+from rolamento.cli.common import SOLVED, LanguageOption, plain_endings
 from rolamento.cli.grouped_help import SpokenCommand
-from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.cli.waiting import progress_of
 from rolamento.words import said

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import typer
 
+from rolamento.cli.common import LanguageOption
 from rolamento.cli.grouped_help import GroupedCommands
-from rolamento.cli.options import LanguageOption
 from rolamento.cli.requested import add_command
 from rolamento.tasks.weibull import DemonstrationTest, PrecisionTest
 

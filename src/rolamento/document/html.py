@@ -134,6 +134,7 @@ class _Setter:
         self._document, self._picture, self._named = document, picture, named
         headed = [section for section in document.parts() if section.heading]
         self._highest = min((section.level for section in headed), default=2)
+        self._depths = document.depths
         self._headings: list[tuple[str, Section]] = []
         self._top = ""
         self._taken: set[str] = set()
@@ -189,7 +190,7 @@ class _Setter:
         name, heading = self._name(section), ""
         if section.heading:
             self._headings.append((name, section))
-            level = min(2 + max(section.level - self._highest, 0), 6)
+            level = min(2 + self._depths[section.level], 6)
             heading = _element(f"h{level}", _text(section.heading)) + "\n"
         blocks = "\n".join(filter(None, map(self._block, section.blocks)))
         if not heading and not blocks:

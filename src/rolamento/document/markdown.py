@@ -68,8 +68,7 @@ def markdown(document: Document, *, picture: Callable[[Figure], str | None] | No
 class _Setter:
     def __init__(self, document: Document, picture: Callable[[Figure], str | None] | None) -> None:
         self._picture = picture
-        levels = [section.level for section in document.parts() if section.heading]
-        self._highest = min(levels, default=2)
+        self._depths = document.depths
         self._by_block: dict[type[Block], Callable[..., str]] = {
             Title: lambda block: f"# {_line(block.text)}",
             Statement: _statement,
@@ -86,7 +85,7 @@ class _Setter:
         """Return a section, its blocks apart."""
         blocks = [self._by_block[type(block)](block) for block in section.blocks]
         if section.heading:
-            level = min(2 + max(section.level - self._highest, 0), 6)
+            level = min(2 + self._depths[section.level], 6)
             blocks.insert(0, f"{'#' * level} {_line(section.heading)}")
         return "\n\n".join(filter(None, blocks))
 

@@ -428,6 +428,12 @@ class Document:
             else:
                 yield one
 
+    @property
+    def depths(self) -> dict[int, int]:
+        """How deep headings of each level lie, from 0; none lies two deeper than the one above."""
+        levels = {section.level for section in self.parts() if section.heading}
+        return {level: depth for depth, level in enumerate(sorted(levels))}
+
     def blocks(self) -> Iterator[Block]:
         """Return its blocks from top to bottom."""
         for section in self.parts():

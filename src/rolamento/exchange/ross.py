@@ -18,7 +18,7 @@ import numpy as np
 
 import rolamento
 from rolamento.case.machine import Machine, Spring
-from rolamento.errors import InputError, printable
+from rolamento.errors import InputError, arguments, printable
 from rolamento.io.text import text_of_mapping
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -159,27 +159,27 @@ def _check(one: StiffnessMap) -> None:
     if len(one.axes) > 1 or axis.unit != "rad/s":
         raise InputError(
             said("must be a speed: elements of ROSS are given over speed alone"),
-            field="--over", value=axis.field if len(one.axes) == 1 else one.axes[1].field,
-            example="--over duty.inner_speed=0..6000rpm",
+            field="over", value=axis.field if len(one.axes) == 1 else one.axes[1].field,
+            example=arguments(over="duty.inner_speed=0..6000rpm"),
         )  # fmt: skip
     if len(axis.values) < FEWEST_SPEEDS:
         raise InputError(
             said("must be at least {at_least}", at_least=FEWEST_SPEEDS),
-            field="--points", value=len(axis.values),
+            field="points", value=len(axis.values),
         )  # fmt: skip
     if axis.values.min() < 0.0 or not np.diff(np.sort(axis.values)).all():
         raise InputError(
             said("must rise from 0 or more"),
-            field="--over",
+            field="over",
             value=axis.field,
-            example="--over duty.inner_speed=0..6000rpm",
+            example=arguments(over="duty.inner_speed=0..6000rpm"),
         )
     lost = np.flatnonzero(one.status != "converged")
     if len(lost):
         raise InputError(
             said("has no equilibrium at {speed:.6g rpm}: ROSS would put a curve through what is"
                  " missing; give another range", speed=float(axis.values[lost[0]])),
-            field="--over", value=one.name,
+            field="over", value=one.name,
         )  # fmt: skip
 
 
@@ -255,8 +255,8 @@ def bearing_file(
 def _axis(version: int) -> str:
     if version not in VERSIONS:
         raise InputError(
-            said("must be one of {known}", known="2, 3"), field="--ross", value=version,
-            example="--ross 3",
+            said("must be one of {known}", known="2, 3"), field="ross", value=version,
+            example=arguments(ross=3),
         )  # fmt: skip
     return VERSIONS[version]
 

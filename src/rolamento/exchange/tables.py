@@ -193,7 +193,7 @@ def _refuse_gaps(one: StiffnessMap) -> None:
         raise InputError(
             said("has points without an equilibrium ({status}), and the format has no gaps; give"
                  " another range, or write CSV or MATLAB", status=status),
-            field="--over", value=one.name,
+            field="over", value=one.name,
         )  # fmt: skip
 
 

@@ -7,7 +7,7 @@ Pure functions of arrays first; `life` gathers all theories for solved cases,
 from rolamento.life.conditions import LifeConditions, conditions_of, with_lubricant
 from rolamento.life.headline import Headline
 from rolamento.life.record import Life
-from rolamento.life.sensitivity import Change, sensitivity
+from rolamento.life.sensitivity import Change, holding_load, sensitivity
 from rolamento.life.summary import LifeSummary, Limit, life
 from rolamento.life.theories import THEORIES
 
@@ -20,6 +20,7 @@ __all__ = [
     "LifeSummary",
     "Limit",
     "conditions_of",
+    "holding_load",
     "life",
     "sensitivity",
     "with_lubricant",

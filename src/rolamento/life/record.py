@@ -38,6 +38,8 @@ OUTSIDE: Final = frozenset(
     }
 )
 """Notes that say that a theory is not valid for the case, though it may give a number."""
+UNRATED: Final = frozenset({"no_force", "no_equivalent_load", "theory_of_balls"})
+"""Those of them that say nothing against the case: the theory does not know such a one."""
 
 
 BOUNDS: Final = frozenset(

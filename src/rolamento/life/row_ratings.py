@@ -217,11 +217,12 @@ def _kind_of_place(place: RowPlace) -> Rated:
 def nominal_contact_angle(solved: Solved) -> FloatArray:
     """Contact angle that standards rate the rows by, (cases, rows), rad: that before mounting.
 
-    Of tapered rollers that of the outer raceway. ISO 281:2007, 4; ISO/TS 16281:2008, 4. What fits,
-    heat and speed make of it acts through the elements' loads.
+    Of tapered rollers that of the outer raceway, between washers 90°. ISO 281:2007, 4;
+    ISO/TS 16281:2008, 4. What fits, heat and speed make of it acts through the elements' loads.
     """
     delivered = solved.before_mounting
-    return solved.rows.free_contact_angle if delivered is None else delivered.contact_angle
+    angle = solved.rows.free_contact_angle if delivered is None else delivered.contact_angle
+    return np.minimum(angle, 0.5 * np.pi)  # a conical washer leans beyond it
 
 
 def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
@@ -343,7 +344,7 @@ def _drops(
     size = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
     profiles = (bearing.roller_profile, bearing.inner_profile, bearing.outer_profile)
     roller, inner, outer, standard = (
-        drop(profile, x, tapered=bearing.bearing_type.conical, **size)
+        drop(profile, x, tapered=bearing.bearing_type.crowned_whole, **size)
         for profile in (*profiles, Profile(kind="iso"))
     )
     return roller + inner, roller + outer, standard

@@ -1,9 +1,13 @@
-"""What would help: the life after one change at a time, the bearing solved anew each time."""
+"""What would help: the life after one change at a time, the bearing solved anew each time.
+
+Where there is no equilibrium, the axial load that gives it one.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from math import hypot, tan
 from typing import Any, Final
 
 import numpy as np
@@ -17,6 +21,7 @@ from rolamento.life.summary import LifeSummary, life
 from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.status import NO_EQUILIBRIUM
 from rolamento.words import Note, said
 
 _LOAD: Final = 0.9
@@ -24,6 +29,10 @@ _CLEARANCE: Final = 5e-6
 _VISCOSITY: Final = 1.5
 _CLEANLINESS: Final = 0.2
 _TILT: Final = 0.5
+_HOLDING: Final = (1.25, 2.0, 4.0)
+"""Axial load over F_r tan α. At 1.22 (balls; rollers 1.26) half of the elements carry: J_r/J_a of
+Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., chapter 5, ε = 0.5; the
+others are tried where centrifugal forces ask for more."""
 
 CHANGES: Final[Mapping[str, float]] = {
     "less_load": _LOAD - 1.0,
@@ -85,13 +94,22 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     given = conditions_of(solved) if conditions is None else conditions
     case = solved.case
     before = _life(solved, given)
-    found = [Change("less_load", _after(_with_less_load(case), given, before))]
+
+    def after(changed: Case | None) -> float:
+        """Life of a changed case over the one before; NaN where it cannot be, or has no result."""
+        if changed is None:
+            return float("nan")
+        again = replace(solve(changed), before_mounting=solved.before_mounting)  # rated as before
+        return _ratio(_life(again, given), before) if again.converged[0] else float("nan")
+
+    less = _with_less_load(case)
+    found = [] if less is None else [Change("less_load", after(less))]
     mixed = len({place.bearing.element for place in case.bearing.places}) > 1
     for name, step in (("less_clearance", -_CLEARANCE), ("more_clearance", _CLEARANCE)):
         if case.bearing.diametral_clearance is not None and not mixed:  # whose rows have their own
-            found.append(Change(name, _after(_with_clearance(case, step), given, before)))
+            found.append(Change(name, after(_with_clearance(case, step))))
     if isinstance(case.bearing, RollerBearing):
-        found += [Change(name, _after(own, given, before)) for name, own in _of_rollers(case)]
+        found += [Change(name, after(own)) for name, own in _of_rollers(case)]
     summary = life(solved, given, stress_volume=False)
     if summary.contamination_factor is not None:
         found += [
@@ -101,18 +119,45 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     return tuple(sorted(found, key=lambda change: -np.nan_to_num(change.life_ratio, nan=-np.inf)))
 
 
+def holding_load(solved: Solved) -> float | None:
+    """Return an axial load (N) that holds together a bearing which carries it one way only.
+
+    Parameters
+    ----------
+    solved
+        A single case.
+
+    Returns
+    -------
+    float
+        To two figures, beside the radial load that is given; None where there is an equilibrium,
+        no radial load, rows that face each other, or where no such load helps.
+    """
+    case, load = solved.case, solved.case.duty.load
+    places = case.bearing.places
+    radial = hypot(load.fy or 0.0, load.fz or 0.0)
+    signs = {place.sign for place in places}
+    one_way = len(signs) == 1 and all(place.bearing.carries_one_way for place in places)
+    if (
+        solved.status.number[0] != NO_EQUILIBRIUM
+        or not one_way
+        or case.bearing.bearing_type.washers
+        or case.duty.displacement.x is not None
+    ):
+        return None
+    least = signs.pop() * radial * tan(max(place.bearing.row_angle for place in places))
+    for factor in _HOLDING if least else ():
+        force = float(f"{factor * least:.2g}")
+        held = case.replace(duty=case.duty.replace(load=load.replace(fx=force)))
+        if solve(held).converged[0]:
+            return force
+    return None
+
+
 def _life(solved: Solved, given: LifeConditions) -> float:
     """The life that leads; NaN where it does not hold or is a bound."""
     leading = life(solved, given, stress_volume=False).headline
     return float(leading.life[0]) if leading.valid[0] else float("nan")
-
-
-def _after(case: Case | None, given: LifeConditions, before: float) -> float:
-    """Life of a changed case over the one before; NaN where it cannot be, or has no result."""
-    if case is None:
-        return float("nan")
-    solved = solve(case)
-    return _ratio(_life(solved, given), before) if solved.converged[0] else float("nan")
 
 
 def _ratio(after: float, before: float) -> float:
@@ -120,12 +165,14 @@ def _ratio(after: float, before: float) -> float:
     return after / before if usable else float("nan")
 
 
-def _with_less_load(case: Case) -> Case:
+def _with_less_load(case: Case) -> Case | None:
     names = ("fx", "fy", "fz", "my", "mz")
     load = case.duty.load
     changes: dict[str, Any] = {
-        name: _LOAD * getattr(load, name) for name in names if getattr(load, name) is not None
+        name: _LOAD * getattr(load, name) for name in names if getattr(load, name)
     }
+    if not changes:
+        return None
     return case.replace(duty=case.duty.replace(load=load.replace(**changes)))
 
 

@@ -33,7 +33,7 @@ def import_page(found: Imported) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.exchange.imported_machine`.
+        Of a `rolamento.tasks.ImportRequest`.
     """
     title = found.machine.title or said("Machine without a title")
     by = said("REXS {version}, written by {application}", version=found.version,
@@ -104,7 +104,7 @@ def export_page(found: Exported, path: str) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.exchange.exported_machine`.
+        Of a `rolamento.tasks.ExportRequest`, a REXS model.
     path
         Of the file that was written.
     """
@@ -131,7 +131,7 @@ def written_page(found: Written, path: str) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.exchange.written_for`.
+        Of a `rolamento.tasks.ExportRequest`.
     path
         Of the file that was written.
     """

@@ -22,13 +22,13 @@ from rolamento.document import (
     Title,
 )
 from rolamento.pages.data import in_files
-from rolamento.pages.given import reason
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.types import type_of_element
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
 from rolamento.words import marked, said, said_in, worded
 from rolamento.words.naming import PARTS, part_name
+from rolamento.words.reasons import why_not
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -139,8 +139,7 @@ def failure_notes(solved: Solved) -> tuple[Notes, ...]:
 
 def _failure(solved: Solved) -> str:
     """Say that a case has no solution, why, and what to do."""
-    why = (reason(str(solved.status.code[0])), str(solved.advice[0] or ""))
-    return said("The case has no solution: {reason}", reason=": ".join(one for one in why if one))
+    return said("The case has no solution: {reason}", reason=why_not(solved, advised=True))
 
 
 def _head(found: FrequencyResult) -> Section:

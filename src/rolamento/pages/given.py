@@ -181,14 +181,23 @@ def _rollers(bearing: RollerBearing) -> str:
 
 def _between_rings(bearing: RollerBearing) -> str:
     """The angles of tapered rollers, or the clearance and the ribs of others."""
+    half = bearing.roller_half_angle or 0.0
+    if bearing.bearing_type.washers:
+        angle = said("contact angle {angle:.5 °}", angle=bearing.row_angle)
+        cones = said(
+            "half angle of the rollers {half:.4 °}: the washers press at {inner:.5 °} and"
+            " {outer:.5 °}",
+            half=half,
+            inner=bearing.inner_contact_angle,
+            outer=bearing.outer_contact_angle,
+        )
+        return f"{angle}, {cones}" if bearing.bearing_type.conical else angle
     if bearing.bearing_type.conical:
         return said(
             "contact angle {angle:.5 °} at the outer race, half angle of the rollers {half:.4 °}",
             angle=bearing.row_angle,
-            half=bearing.roller_half_angle or 0.0,
+            half=half,
         )
-    if bearing.bearing_type.washers:
-        return said("contact angle {angle:.5 °}", angle=bearing.row_angle)
     play = quantity(_short(bearing.diametral_clearance or 0.0), "length")
     if bearing.bearing_type.barrels:
         return _arcs(bearing, play)

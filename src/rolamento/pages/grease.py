@@ -239,7 +239,7 @@ def _nlgi(found: GreaseCase) -> str:
 
 
 def oil_page(found: OilChoice, title: str) -> Document:
-    """Return the ISO viscosity grades for a wanted κ over a range of temperatures.
+    """Return the ISO viscosity grades for a required κ over a range of temperatures.
 
     Parameters
     ----------

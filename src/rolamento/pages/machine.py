@@ -650,7 +650,7 @@ def machine_over_page(found: MachineCurve) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.machines.machine_over`.
+        Of a `rolamento.tasks.ShaftRequest`.
     """
     machine = found.first.solved
 

@@ -34,7 +34,7 @@ from rolamento.document import (
 )
 from rolamento.friction.model import REMARKS
 from rolamento.friction.models import torque_model_name
-from rolamento.life.record import BOUNDS, OUTSIDE, note_of
+from rolamento.life.record import BOUNDS, OUTSIDE, UNRATED, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.clearance import STEPS, chain_lines
 from rolamento.pages.electrical import electrical_sections
@@ -67,7 +67,7 @@ from rolamento.solved.notes import nothing_given
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, manner, marked, said, worded
 from rolamento.words.headlines import qualifies
-from rolamento.words.reasons import reason
+from rolamento.words.reasons import why_not
 from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
@@ -277,8 +277,8 @@ def _failure(case: CaseReport, *, advised: bool) -> str:
     """Say why a case has no result, and what to do."""
     solved = case.analysis.solved
     advice = solved.advice[0] if advised else None
-    said_reason = said("No solution: {reason}.", reason=reason(str(solved.status.code[0])))
-    return said_reason if advice is None else f"{said_reason} {advice.text}"
+    text = said("No solution: {reason}.", reason=why_not(solved))
+    return text if advice is None else f"{text} {advice.text}"
 
 
 def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
@@ -297,7 +297,8 @@ def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
             yield _Warning(1, note.text, note.key)
     for key, concerned in theories.items():
         always = key in BOUNDS and all(THEORIES[name].bound for name in concerned)
-        refuses = key in OUTSIDE | BOUNDS and not always
+        known = life.headline.valid[0] and key in UNRATED  # to another theory
+        refuses = key in OUTSIDE | BOUNDS and not (always or known)
         names = [theory_name(name) for name in concerned]
         what = "; ".join(names) if len(names) < len(life.theories) else said("all theories")
         text = note_of(key, life.headline.element).text
@@ -444,6 +445,7 @@ def _summary_rows(report: Report) -> list[_Quantity]:
         extreme(said("maximum contact pressure"), "max_pressure", ".4 MPa"),
         _viscosity_ratio(),
         extreme(said("minimum film parameter λ"), "film_parameter", ".3"),
+        Quantity(said("speed"), _speed, ".5 rpm"),
         _torque(report, said("friction torque"), said("friction torque, at most"), torque),
         _power(report, power),
         ROLLING(said("friction power (friction control)"), "power", power),
@@ -460,6 +462,12 @@ def _reliability(case: CaseReport) -> float | None:
     if life is None or wanted is None:
         return None
     return float(life.reliability_after(wanted)[0])
+
+
+def _speed(case: CaseReport) -> float | None:
+    """The speed of the rings against each other, where there is a limit of it."""
+    limit = case.speed_limit
+    return None if limit is None else limit.share * limit.speed
 
 
 def _static_safety() -> _Quantity:
@@ -547,8 +555,8 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
         if not row.known([case]):
             continue
         shown = _shown(row.cell(case))
-        is_life = row.label == said("rating life")
-        key = "life" if is_life else row.path or "theory"
+        key = {said("rating life"): "life", said("speed"): "speed"}.get(row.label)
+        key = key or row.path or "theory"
         limit, share, tone = _limit_of(case, row)
         found.append(KeyFigure(key, row.label, shown, row.shown_unit, limit, share, tone))
     return (*found, *_tilt_figure(case))
@@ -578,6 +586,10 @@ def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, Tone
                 1.0 / (high * value),
                 "bad" if value < 1.0 / high else "",
             )
+    if row.label == said("speed") and (limit := case.speed_limit):
+        name = said(_OF_SPEED[limit.name])
+        text = said("of {limit:.4 rpm} ({name})", limit=limit.speed, name=name)
+        return text, limit.share, "warning" if limit.share > 1.0 else ""
     for path, least, refused in _LEAST:
         if row.path == path and value is not None and value > 0.0:
             tone: Tone = "" if value >= least else "bad" if value < refused else "warning"
@@ -591,6 +603,14 @@ def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, Tone
     return "", None, ""
 
 
+_OF_SPEED: Final = {
+    "catalogue": marked("oil"),
+    "oil_bath": marked("oil"),
+    "high_speed": marked("oil-air"),
+    "grease": marked("grease"),
+    "reference": marked("ISO 15312"),
+}
+"""With what, or by what, a speed is limited."""
 _LEAST: Final = (
     ("analysis.life.loads.static_safety", 1.0, 0.5),
     ("analysis.film.viscosity_ratio", 1.0, 0.1),

@@ -46,7 +46,7 @@ def vibration_page(found: MachineVibration) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.rotor.machine_vibration`.
+        Of a `rolamento.tasks.RotorRequest`.
     """
     title = found.machine.title or said("Machine without a title")
     sections = [

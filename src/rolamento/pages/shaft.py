@@ -23,12 +23,12 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.life.theories import THEORIES
-from rolamento.pages.life import formulas_only, none_valid, percent, remarks
+from rolamento.pages.life import LONGEST_LIFE, formulas_only, none_valid, percent, remarks
 from rolamento.units import HOUR
 from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
 from rolamento.words.naming import shortened
-from rolamento.words.reasons import reason
+from rolamento.words.reasons import why_not
 from rolamento.words.theories import theory_heads, theory_life
 
 if TYPE_CHECKING:
@@ -102,9 +102,8 @@ def _failures(found: ShaftLife) -> list[str]:
     texts = []
     for number, solved in enumerate(found.bearings, start=1):
         if not solved.converged[0]:
-            why, advice = reason(str(solved.status.code[0])), solved.advice[0]
-            text = f"{why}: {advice}" if advice else why
-            texts.append(said("bearing {number}: {reason}", number=number, reason=text))
+            why = why_not(solved, advised=True)
+            texts.append(said("bearing {number}: {reason}", number=number, reason=why))
     return texts
 
 
@@ -128,6 +127,12 @@ def together_sentences(
             "With {reliability:.7 %} reliability the {count} bearings together reach less than "
             "{hours:.3r h} (upper bound of the {theory}).",
             **values,
+        )
+    elif leading.hours > LONGEST_LIFE:
+        text = said(
+            "With {reliability:.7 %} reliability the {count} bearings together reach more than "
+            "{hours:.3r h} ({theory}).",
+            **{**values, "hours": LONGEST_LIFE * HOUR},
         )
     else:
         text = said(

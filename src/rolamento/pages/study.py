@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from rolamento.studies import OutputRange, Summary
+    from rolamento.studies.subject import Subject
     from rolamento.studies.tables import CaseColumn
 
 __all__ = ["cases_table", "in_row", "study_page"]
@@ -209,3 +210,65 @@ def in_row(values: Sequence[float], unit: str = "") -> list[CellContent]:
 def _rounded(value: float) -> float:
     """Two significant digits: a rate is not known better."""
     return float(f"{value:.2g}")
+
+
+# --- what a study may vary and give --------------------------------------------------------------
+
+
+def fields_text(subject: Subject | None = None) -> str:
+    """Return the fields, one a line: name, SI unit, an example, and whether it can be scattered.
+
+    Parameters
+    ----------
+    subject
+        Whose fields; those of any case if not given.
+    """
+    from rolamento.studies.fields import known_fields
+    from rolamento.studies.solving import array_fields
+
+    fields = known_fields() if subject is None else subject.fields()
+    rows = []
+    for name, field in fields.items():
+        in_batch = name in array_fields() if subject is None else subject.varies_in_batch(name)
+        both = field.continuous and in_batch
+        kinds = said("axes, scatter") if both else said("axes")
+        rows.append((name, field.unit, field.example, kinds))
+    return _columns([(said("field"), said("unit"), said("example"), said("for")), *rows])
+
+
+def outputs_text(subject: Subject | None = None) -> str:
+    """Return the outputs, one a line: name, SI unit, whether it is one of several, meaning.
+
+    Parameters
+    ----------
+    subject
+        Whose outputs; those of any case if not given.
+    """
+    from rolamento.studies.outputs import DEFAULT_OUTPUTS, catalogue
+
+    known = catalogue() if subject is None else subject.catalogue()
+    usual = DEFAULT_OUTPUTS if subject is None else subject.default_outputs()
+    along = {
+        "": "",
+        "ball": said("per ball"),
+        "row": said("per row"),
+        "bearing": said("per bearing"),
+        "shaft": said("per shaft"),
+    }
+    rows = [
+        (
+            f"{name}{'*' if name in usual else ''}",
+            output.unit,
+            along[output.along],
+            output.label,
+        )
+        for name, output in known.items()
+    ]
+    foot = f"\n* {said('by default, if a study names no outputs')}\n"
+    return _columns([(said("output"), said("unit"), "", said("meaning")), *rows]) + foot
+
+
+def _columns(rows: list[tuple[str, ...]]) -> str:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ("  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)) for row in rows)
+    return "".join(f"{line.rstrip()}\n" for line in lines)

@@ -17,10 +17,10 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from rolamento.case.profile import Profile
+from rolamento.case.roller_bearing import axis_angle
 from rolamento.charts.style import MILLIMETRE, in_style
 from rolamento.charts.texts import number
 from rolamento.contact.profile import drop
-from rolamento.types import type_of_element
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -49,6 +49,8 @@ _EDGE: Final = 0.4
 """Angle (rad) from a contact to the edge of its groove."""
 _RIB: Final = 0.2
 """Height of a rib over the roller's diameter, if unknown."""
+_SUNK: Final = 0.32
+"""From the balls' middles to the face of a grooved washer, over the ball's diameter."""
 _ENDS: Final = 0.57
 """Diameter of a barrel roller at its ends, over that in the middle."""
 _DEEPEST: Final = 0.05
@@ -152,7 +154,7 @@ class _Row(NamedTuple):
 
     @property
     def kind(self) -> Any:
-        return type_of_element(self.bearing.element)
+        return self.bearing.bearing_type
 
     @property
     def half_angle(self) -> float:
@@ -160,7 +162,7 @@ class _Row(NamedTuple):
 
     @property
     def lean(self) -> float:
-        return -self.way * (self.angle - self.half_angle)
+        return -self.way * float(axis_angle(self.bearing)) if self.kind.has_rollers else 0.0
 
     @property
     def length(self) -> float:
@@ -346,19 +348,29 @@ class _Drawer:
         return found
 
     def _washers(self, row: _Row, left: float, right: float, side: float) -> None:
-        """Two washers face to face; of balls with a groove."""
-        depth = 0.32 if not row.kind.has_rollers else 0.5
-        for face, inner in ((left, row.x - depth * row.size), (right, row.x + depth * row.size)):
-            points: list[Point] = [(face, self.inside), (face, self.outside), (inner, self.outside)]
-            if not row.kind.has_rollers:
-                toward = -1.0 if inner < row.x else 1.0
-                opening = acos(depth / 0.5)
-                points += [
-                    (row.x + toward * 0.5 * row.size * cos(a), row.radius + 0.5 * row.size * sin(a))
-                    for a in np.linspace(opening, -opening, _ARC).tolist()
-                ]
-            points.append((inner, self.inside))
+        """Two washers face to face: with a groove for balls, a rib behind cones."""
+        for face, toward in ((left, -1.0), (right, 1.0)):
+            race = self._washer_race(row, toward)
+            points = [(face, self.inside), (face, self.outside), *race]
             self._add("ring", points, side)
+
+    def _washer_race(self, row: _Row, toward: float) -> list[Point]:
+        """The face of a washer from outside to inside; toward: its side of the rollers along x."""
+        if not row.kind.has_rollers:
+            inner, opening = row.x + toward * _SUNK * row.size, acos(2.0 * _SUNK)
+            groove = [
+                (row.x + toward * 0.5 * row.size * cos(a), row.radius + 0.5 * row.size * sin(a))
+                for a in np.linspace(opening, -opening, _ARC).tolist()
+            ]
+            return [(inner, self.outside), *groove, (inner, self.inside)]
+        ends = [_turned(row, u, toward * row.way * v) for u, v in _halves(row)]
+        (x_in, r_in), (x_out, r_out) = sorted((ends[0], ends[-1]), key=lambda point: point[1])
+        slope = (x_out - x_in) / (r_out - r_in)
+        inside = (x_in + slope * (self.inside - r_in), self.inside)
+        if not (row.kind.conical and toward * row.way < 0.0):
+            return [(x_out + slope * (self.outside - r_out), self.outside), inside]
+        foot, rib = r_out + 0.02 * row.length, x_out - toward * _RIB * row.size
+        return [(rib, self.outside), (rib, foot), (x_out + slope * (foot - r_out), foot), inside]
 
     def _element(self, row: _Row, side: float) -> None:
         kind = "loaded" if self._load(row, side) > 0.0 else "element"
@@ -563,7 +575,7 @@ def _profiled(row: _Row) -> tuple[list[Point], float]:
     effective = min(0.5 * float(row.bearing.effective_length or row.length), half)
     place = np.linspace(-0.999, 0.999, 2 * _ARC + 1) * effective
     depth = drop(profile, place, length=2.0 * effective, diameter=row.size,
-                 tapered=row.kind.conical)  # fmt: skip
+                 tapered=row.kind.crowned_whole)  # fmt: skip
     depth = np.where(np.isfinite(depth), depth, 0.0)
     deepest = float(depth.max())
     if not deepest > 0.0:

@@ -494,7 +494,7 @@ def machine_over_figure(found: MachineCurve) -> Figure:
     Parameters
     ----------
     found
-        From `rolamento.tasks.machines.machine_over`.
+        Of a `rolamento.tasks.ShaftRequest`.
     """
     machine, x = found.first.solved, found.values
     with styled():

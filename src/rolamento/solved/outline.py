@@ -63,7 +63,7 @@ def roller_outline(solved: Solved, roller: int) -> RollerOutline:
             place,
             length=row.effective_length,
             diameter=row.roller_diameter,
-            tapered=row.bearing_type.conical,
+            tapered=row.bearing_type.crowned_whole,
         )
 
     if row.bearing_type.barrels:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.heat import NODES, HeatBalance, heat_balances
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -170,9 +170,9 @@ def heat_over(case: Case, over: Range) -> HeatOver:
     if name.startswith(_FOUND) and name != _GIVEN:
         raise InputError(
             said("is what the heat balance finds"),
-            field="--over",
+            field="over",
             value=name,
-            example="--over duty.inner_speed=1000..6000rpm",
+            example=arguments(over="duty.inner_speed=1000..6000rpm"),
         )
     refuse_many_singles(len(over.values))
     balances = heat_balances(case, {name: over.values})

@@ -65,14 +65,14 @@ def read_range(
     """
     name, first, last = range_of_field(text, _EXAMPLE)
     check_points(points, MOST_POINTS)
-    field = (read_varied if of_machine else read_field)(name, at="--over")
+    field = (read_varied if of_machine else read_field)(name, at="over")
     if not field.continuous:
-        raise InputError(no_range(name), field="--over", value=name, example=_EXAMPLE)
+        raise InputError(no_range(name), field="over", value=name, example=_EXAMPLE)
     begin, end = _value(field, first), _value(field, last)
     if log and not begin * end > 0.0:
         raise InputError(
-            said("must not be zero or change sign with --log"),
-            field="--over",
+            said("must not be zero or change sign in a range with logarithmic spacing"),
+            field="over",
             value=text,
             example=_EXAMPLE,
         )
@@ -93,7 +93,7 @@ def range_of_field(text: str, example: str) -> tuple[str, str, str]:
     if ends is None:
         raise InputError(
             said("must be FIELD=FIRST..LAST"),
-            field="--over",
+            field="over",
             value=text[:_LONGEST],
             example=example,
         )
@@ -127,10 +127,10 @@ def check_points(points: int, most: int) -> None:
     Raises
     ------
     InputError
-        Naming the option.
+        Naming the field ``points``.
     """
     if not 2 <= points <= most:
-        raise InputError(said("must be 2 to {most}", most=most), field="--points", value=points)
+        raise InputError(said("must be 2 to {most}", most=most), field="points", value=points)
 
 
 def refuse_many_singles(points: int) -> None:
@@ -139,7 +139,7 @@ def refuse_many_singles(points: int) -> None:
     Raises
     ------
     InputError
-        Naming the option.
+        Naming the field ``points``.
     """
     if points > MOST_SINGLE:
         raise InputError(
@@ -147,7 +147,7 @@ def refuse_many_singles(points: int) -> None:
                 "must be at most {most} for a field of which each value needs a case of its own",
                 most=MOST_SINGLE,
             ),
-            field="--points",
+            field="points",
             value=points,
         )
 

@@ -66,8 +66,17 @@ class Interrupted(KeyboardInterrupt):
     """
 
     def __init__(self, done: int, total: int, folder: Path) -> None:
-        super().__init__(f"{done} of {total} cases are kept in {folder}")
+        super().__init__(done, total, folder)
         self.done, self.total, self.folder = done, total, folder
+
+    def __str__(self) -> str:
+        return said(
+            "stopped; {done} of {total} cases are kept in {folder}. Run the same command to"
+            " continue",
+            done=self.done,
+            total=self.total,
+            folder=str(self.folder),
+        )
 
 
 def run(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from rolamento.tasks.case_request import CaseRequest, Finding
+    from rolamento.tasks.catalogue import BearingRequest, CatalogueSearch
     from rolamento.tasks.demonstration import example_case, write_example
     from rolamento.tasks.diagnosis import (
         DiagnosisResult,
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
         rank_bearings,
     )
     from rolamento.tasks.drawing import Drawing, Kind, draw
+    from rolamento.tasks.exchange import ExportRequest, ImportRequest, Written
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
     from rolamento.tasks.grease import GreaseCase, choose_oil_of_case, grease_of_case
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
         ElectricalRequest,
         FrictionRequest,
         HeatRequest,
+        ReportRequest,
         SolveRequest,
         StaticRequest,
         TurnRequest,
@@ -52,6 +55,8 @@ if TYPE_CHECKING:
         diagnose_machine,
         read_machine,
     )
+    from rolamento.tasks.machines import MachineCurve, MachineRequest, ShaftRequest
+    from rolamento.tasks.new_case import ExamplesRequest, NewRequest
     from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
     from rolamento.tasks.oscillation import (
         OscillationCase,
@@ -59,6 +64,7 @@ if TYPE_CHECKING:
         life_in_oscillation,
         life_under_oscillations,
     )
+    from rolamento.tasks.recipe import SynthesisRequest
     from rolamento.tasks.replace import (
         FleetRequest,
         FleetStudy,
@@ -69,12 +75,15 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
     from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.rotor import MachineVibration, RotorRequest
     from rolamento.tasks.running import ClearanceRequest, FrequenciesRequest, SpeedRequest
     from rolamento.tasks.seek import Goal, GoalSeek
     from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance, tolerance_of_case
+    from rolamento.tasks.studying import PlotRequest, SweepRequest, ToleranceRequest
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.time_line import ServiceLife, service_life
+    from rolamento.tasks.verifying import VerificationRequest
     from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
@@ -88,11 +97,32 @@ if TYPE_CHECKING:
     )
 
 _NAMES_OF_MODULES: Final = {
+    "verifying": ("VerificationRequest",),
+    "new_case": (
+        "ExamplesRequest",
+        "NewRequest",
+    ),
+    "catalogue": (
+        "BearingRequest",
+        "CatalogueSearch",
+    ),
+    "exchange": (
+        "ExportRequest",
+        "ImportRequest",
+        "Written",
+    ),
+    "recipe": ("SynthesisRequest",),
+    "studying": (
+        "PlotRequest",
+        "SweepRequest",
+        "ToleranceRequest",
+    ),
     "case_request": ("CaseRequest", "Finding"),
     "inside": (
         "ElectricalRequest",
         "FrictionRequest",
         "HeatRequest",
+        "ReportRequest",
         "SolveRequest",
         "StaticRequest",
         "TurnRequest",
@@ -104,6 +134,7 @@ _NAMES_OF_MODULES: Final = {
         "OscillationRequest",
         "ServiceLifeRequest",
     ),
+    "rotor": ("MachineVibration", "RotorRequest"),
     "running": ("ClearanceRequest", "FrequenciesRequest", "SpeedRequest"),
     "demonstration": ("example_case", "write_example"),
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
@@ -116,6 +147,7 @@ _NAMES_OF_MODULES: Final = {
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
+    "machines": ("MachineCurve", "MachineRequest", "ShaftRequest"),
     "noise": ("FullScale", "NoiseLevel", "NoiseResult"),
     "oscillation": (
         "OscillationCase",
@@ -154,9 +186,11 @@ _MODULE_OF_NAME: Final = {
 }
 
 __all__ = [
+    "BearingRequest",
     "CaseLife",
     "CaseReport",
     "CaseRequest",
+    "CatalogueSearch",
     "ClearanceRequest",
     "DemonstrationStudy",
     "DemonstrationTest",
@@ -164,6 +198,8 @@ __all__ = [
     "Drawing",
     "DutyLife",
     "ElectricalRequest",
+    "ExamplesRequest",
+    "ExportRequest",
     "Finding",
     "FleetRequest",
     "FleetStudy",
@@ -177,19 +213,25 @@ __all__ = [
     "GreaseRequest",
     "HeatRequest",
     "History",
+    "ImportRequest",
     "Input",
     "Kind",
     "LifeCurve",
     "LifeRequest",
     "LifeTestEvaluation",
     "Machine",
+    "MachineCurve",
     "MachineDiagnosis",
+    "MachineRequest",
+    "MachineVibration",
+    "NewRequest",
     "NoiseLevel",
     "NoiseResult",
     "OilRequest",
     "OscillationCase",
     "OscillationRequest",
     "OscillationSpectrum",
+    "PlotRequest",
     "PrecisionStudy",
     "PrecisionTest",
     "Records",
@@ -198,24 +240,32 @@ __all__ = [
     "ReplacementRequest",
     "ReplacementStudy",
     "Report",
+    "ReportRequest",
     "Request",
+    "RotorRequest",
     "ServiceLife",
     "ServiceLifeRequest",
     "SeverityResult",
     "ShaftLife",
+    "ShaftRequest",
     "SolveRequest",
     "SpectrumLife",
     "SpeedRequest",
     "StaticRequest",
     "Sweep",
+    "SweepRequest",
+    "SynthesisRequest",
     "SynthesisResult",
+    "ToleranceRequest",
     "TooShort",
     "TrendEvaluation",
     "TrendStudy",
     "TurnRequest",
     "UnknownResult",
+    "VerificationRequest",
     "VibrationDiagnosis",
     "VibrationSeverity",
+    "Written",
     "calculation_report",
     "choose_oil_of_case",
     "compare_variants",

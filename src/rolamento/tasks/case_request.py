@@ -17,6 +17,7 @@ from rolamento.records import frozen
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.request import Input, Product, Request
 from rolamento.words import marked, said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from rolamento.document import Document
@@ -26,13 +27,13 @@ __all__ = [
     "VARIANTS",
     "CaseRequest",
     "Finding",
+    "FindingRequest",
     "OverRequest",
     "RangeRequest",
     "drawn",
     "in_json",
     "needs_over",
     "over_a_field",
-    "why_not",
     "why_not_all",
 ]
 
@@ -48,7 +49,7 @@ _MOST_VARIANTS: Final = 5
 
 @frozen(eq=False)
 class Finding:
-    """What is found of a case, with its page, its data and its picture.
+    """What is found, with its page, its data and its picture.
 
     Attributes
     ----------
@@ -56,6 +57,10 @@ class Finding:
         the record
     page, to_json, picture
         return what people read, everything as JSON, and a figure
+    report
+        returns the page of a report, where that is more
+    text
+        plain text behind the page, or in its place
     complaint
         why there is no result, for who reads the data alone; "" if there is one
     is_result
@@ -63,14 +68,43 @@ class Finding:
     """
 
     found: Any
-    page: Callable[[], Document]
-    to_json: Callable[[], str]
+    page: Callable[[], Document] | None = None
+    to_json: Callable[[], str] = str
     picture: Callable[[], Any] | None = None
     complaint: str = ""
     is_result: bool = True
+    report: Callable[[], Document] | None = None
+    text: str = ""
 
 
-class CaseRequest(Request):
+class FindingRequest(Request):
+    """A use case that returns a `Finding`."""
+
+    counts: ClassVar = False
+    waiting: ClassVar = SOLVING
+
+    def has_result(self, found: Any) -> bool:
+        """Return whether what was asked for is found."""
+        return bool(found.is_result)
+
+    def json_text(self, found: Any) -> str:
+        """Return all that is found as JSON."""
+        return str(found.to_json())
+
+    def report(self, found: Any) -> Callable[[], Document] | None:
+        """Return what makes the page of a report, where that is more than the page."""
+        return found.report  # type: ignore[no-any-return]
+
+    def has_page(self, found: Any) -> bool:
+        """Return whether there is a page."""
+        return found.page is not None
+
+    def closing(self, found: Any) -> str:
+        """Return what people read behind the page, or in its place."""
+        return str(found.text)
+
+
+class CaseRequest(FindingRequest):
     """A use case of a case.
 
     Parameters
@@ -84,18 +118,8 @@ class CaseRequest(Request):
     case: Annotated[Any, Input("Case", "file", essential=True, metavar="CASE")]
     changes: Any = ()
 
-    headings: ClassVar = (_DUTY,)
+    headings: ClassVar[tuple[str, ...]] = (_DUTY,)
     takes_case: ClassVar = True
-    counts: ClassVar = False
-    waiting: ClassVar = SOLVING
-
-    def has_result(self, found: Any) -> bool:
-        """Return whether what was asked for is found."""
-        return bool(found.is_result)
-
-    def json_text(self, found: Any) -> str:
-        """Return all that is found as JSON."""
-        return str(found.to_json())
 
     def loaded(
         self,
@@ -184,10 +208,7 @@ class RangeRequest(CaseRequest):
         from rolamento.studies.ranges import read_range
 
         assert self.over is not None
-        try:
-            return read_range(self.over, self.points, log=self.log)
-        except InputError as error:
-            raise error.with_details(field=error.field.removeprefix("--")) from None
+        return read_range(self.over, self.points, log=self.log)
 
 
 class OverRequest(RangeRequest):
@@ -249,21 +270,8 @@ def over_a_field(
     )  # fmt: skip
 
 
-def why_not(solved: Any, *, advised: bool = False) -> str:
-    """Return why a case has no result; "" if it has one. advised: and what to do."""
-    from rolamento.words.reasons import reason
-
-    if solved.converged[0]:
-        return ""
-    advice = solved.advice[0] if advised else None
-    parts = (reason(str(solved.status.code[0])), "" if advice is None else advice.text)
-    return ": ".join(part for part in parts if part)
-
-
 def why_not_all(status: Any, among: Any = ...) -> str:
     """Return of how many points there is no result, and why of the first; among: which count."""
-    from rolamento.words.reasons import reason
-
     codes = [str(code) for code in status[among] if code != "converged"]
     why = reason(codes[0])
     return said("{count} / {total}: {reason}", count=len(codes), total=len(status), reason=why)

@@ -1,24 +1,147 @@
-"""The catalogue as plain values: bearings found, one with its internal geometry, a study's axis."""
+"""The catalogue: bearings found, one with its internal geometry, a study's axis of candidates."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
-from rolamento.catalogue import (
-    Candidate,
-    Catalogue,
-    CatalogueBearing,
-    InternalGeometry,
-    RollerCandidate,
-    ambiguity_axis,
-    geometry_of,
-)
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
+from rolamento.tasks.case_request import Finding, FindingRequest
+from rolamento.tasks.machines import CATALOGUES
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import Input
 from rolamento.units import from_si
 from rolamento.words import said
 
-__all__ = ["axis_toml", "bearing_mapping", "inside_of", "search_mapping"]
+if TYPE_CHECKING:
+    from rolamento.catalogue import (
+        Candidate,
+        Catalogue,
+        CatalogueBearing,
+        InternalGeometry,
+        RollerCandidate,
+    )
+
+__all__ = [
+    "BearingRequest", "CatalogueSearch", "axis_toml", "bearing_mapping", "inside_of",
+    "search_mapping",
+]  # fmt: skip
+
+_RATINGS: Final = {"dynamic": "dynamic_rating", "static": "static_rating"}
+
+
+class CatalogueSearch(FindingRequest):
+    """List the bearings whose designation contains a text.
+
+    Parameters
+    ----------
+    text
+        Part of a designation, or boundary dimensions such as 25x52.
+    most
+        Maximum number of results.
+    catalogues
+        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+    """
+
+    text: Annotated[str, Input(essential=True, example="6205", stands_alone=True, metavar="TEXT")]
+    most: Annotated[
+        int, Input("", "count", example="40", default="40", between=(1, 1000), metavar="N")
+    ] = 40
+    catalogues: Annotated[Any, CATALOGUES] = ()
+
+    examples: ClassVar = "Examples: search 62; search 'EX 70'; search 25x52x15."
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Find it, a tuple of `CatalogueBearing`."""
+        from rolamento.catalogue import catalogue
+        from rolamento.pages.catalogue import search_page
+
+        found = catalogue().beside(self.catalogues).search(self.text, self.most + 1)
+        shown, is_all = found[: self.most], len(found) <= self.most
+        return Finding(
+            shown, partial(search_page, shown, is_all=is_all),
+            lambda: dumps(search_mapping(shown)), is_result=bool(found),
+        )  # fmt: skip
+
+
+class BearingRequest(FindingRequest):
+    """Show a bearing by its designation.
+
+    Published data with their sources, and the internal geometry, marked where estimated.
+
+    Parameters
+    ----------
+    designation
+        Designation, such as 6205/C3 or 'EX 70 25deg'.
+    dynamic
+        Dynamic load rating, instead of that in the list.
+    static
+        Static load rating, instead of that in the list.
+    axis
+        Print the candidates as an axis of a study file instead.
+    catalogues
+        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+    """
+
+    designation: Annotated[
+        str,
+        Input(
+            essential=True, example="6205/C3", stands_alone=True,
+            metavar="DESIGNATION",
+        ),
+    ]  # fmt: skip
+    dynamic: Annotated[
+        float | None,
+        Input(
+            "", "quantity", example="14.8 kN", dimension="force", between=(1.0, 1e9),
+            metavar="FORCE",
+        ),
+    ] = None  # fmt: skip
+    static: Annotated[
+        float | None,
+        Input(
+            "", "quantity", example="7.8 kN", dimension="force", between=(1.0, 1e9),
+            metavar="FORCE",
+        ),
+    ] = None  # fmt: skip
+    axis: Annotated[bool, Input("", "switch")] = False
+    catalogues: Annotated[Any, CATALOGUES] = ()
+
+    examples: ClassVar = "Examples: show 6205/C3; show 7205B --dynamic '14.8 kN'."
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Find it, an `InternalGeometry`."""
+        from rolamento.catalogue import catalogue
+        from rolamento.pages.catalogue import bearing_page
+
+        found = inside_of(self._rated(catalogue().beside(self.catalogues)), self.designation)
+        json = partial(_json, found)
+        if self.axis and found.has_elements:
+            return Finding(found, to_json=json, text=axis_toml(found))
+        return Finding(found, partial(bearing_page, found), json, is_result=found.has_elements)
+
+    def _rated(self, known: Catalogue) -> Catalogue:
+        """Put ratings in the place of the list's; what the list infers from beside them goes."""
+        from rolamento.catalogue import Catalogue
+
+        given: dict[str, Any] = {
+            name: value
+            for field, name in _RATINGS.items()
+            if (value := getattr(self, field)) is not None
+        }
+        if not given:
+            return known
+        bearing = known.find(self.designation).bearing
+        sources = {**bearing.sources, **dict.fromkeys(given, "given")}
+        own = replace(bearing, f0=None, **given, sources=sources)
+        return Catalogue((*known.bearings, own))
+
+
+def _json(found: InternalGeometry) -> str:
+    return dumps(bearing_mapping(found))
 
 
 def axis_toml(geometry: InternalGeometry) -> str:
@@ -40,6 +163,8 @@ def axis_toml(geometry: InternalGeometry) -> str:
             field="designation",
             value=geometry.designation.text,
         )
+    from rolamento.catalogue import ambiguity_axis
+
     axis = ambiguity_axis(geometry.candidates)
     lines = ["[[axes]]", f'name = "{axis["name"]}"', "[axes.zipped]"]
     for name, values in axis["zipped"].items():
@@ -57,6 +182,8 @@ def inside_of(known: Catalogue, designation: str) -> InternalGeometry:
     InputError
         If there is no such bearing.
     """
+    from rolamento.catalogue import geometry_of
+
     bearing = known.find(designation).bearing
     rated = bearing.rated != (None, None)
     return geometry_of(designation, catalogue_of=known, with_balls=rated or bearing.knows_elements)

@@ -117,7 +117,7 @@ def draw(
 
     if kind is not None and kind not in list(Kind):
         raise InputError(
-            said("must be one of {known}", known=", ".join(Kind)), field="--kind", value=kind
+            said("must be one of {known}", known=", ".join(Kind)), field="kind", value=kind
         )
     one = isinstance(result, str | os.PathLike)
     paths = [os.fspath(result)] if one else [os.fspath(path) for path in result]  # type: ignore[arg-type,union-attr]
@@ -144,7 +144,7 @@ def _check_several(paths: Sequence[str], labels: Sequence[str]) -> None:
     """Refuse files that are none together, and labels that are not theirs."""
     if not 1 <= len(paths) <= _MOST_FILES:
         raise InputError(
-            said("must be 1 to {most} files", most=_MOST_FILES), field="RESULT", value=len(paths)
+            said("must be 1 to {most} files", most=_MOST_FILES), field="results", value=len(paths)
         )
     if labels and len(labels) != len(paths):
         raise InputError(
@@ -153,11 +153,11 @@ def _check_several(paths: Sequence[str], labels: Sequence[str]) -> None:
                 files=len(paths),
                 labels=len(labels),
             ),
-            field="--label",
+            field="labels",
             value=labels[-1],
         )
     if len(set(labels)) < len(labels):
-        raise InputError(said("occurs twice"), field="--label", value=labels[-1])
+        raise InputError(said("occurs twice"), field="labels", value=labels[-1])
     kinds = [_is_study(path) for path in paths]
     if len(set(kinds)) > 1:
         other = paths[kinds.index(not kinds[0])]
@@ -168,7 +168,7 @@ def _check_several(paths: Sequence[str], labels: Sequence[str]) -> None:
                 first=paths[0],
                 other=said("a study") if kinds[0] else said("a state"),
             ),
-            field="RESULT",
+            field="results",
             value=other,
         )
 
@@ -285,7 +285,7 @@ def _of_life(kind: Kind, solved: Solved) -> Axes:
                 "needs a viscosity ratio, or a lubricant and its temperature, and the "
                 "oil cleanliness"
             ),
-            field="--kind",
+            field="kind",
             value=kind.value,
             example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
         )
@@ -322,9 +322,7 @@ def _of_studies(
     named = dict(zip(_labelled(paths, titles, labels) if several else [""], read, strict=True))
     if chosen is Kind.histogram:
         if over:
-            raise InputError(
-                said("cannot be combined with a histogram"), field="--over", value=over
-            )
+            raise InputError(said("cannot be combined with a histogram"), field="over", value=over)
         axes = sweep.compared_histograms(named, variable)
     elif chosen is Kind.lines:
         axes = sweep.compared_lines(named, variable, over=over)
@@ -361,7 +359,7 @@ def _check_common(read: Sequence[Dataset], paths: Sequence[str], variable: str) 
             said("has no {name}; outputs in common: {known}", name=name, known=known)
             if common
             else said("has no output in common with {first}", first=paths[0]),
-            field="--variable",
+            field="variable",
             source=path,
         )
 
@@ -374,6 +372,6 @@ def _check(kind: Kind, possible: tuple[Kind, ...], what: str) -> None:
                 what=what,
                 possible=", ".join(possible),
             ),
-            field="--kind",
+            field="kind",
             value=kind.value,
         )

@@ -438,7 +438,7 @@ def choose_oil_of_case(
     coldest: float | None = None,
     hottest: float | None = None,
 ) -> OilChoice:
-    """Choose the ISO viscosity grade for a case, with a wanted κ over a range of temperatures.
+    """Choose the ISO viscosity grade for a case, with a required κ over a range of temperatures.
 
     Parameters
     ----------
@@ -469,7 +469,7 @@ def choose_oil_of_case(
         raise InputError(
             said("is missing: the viscosity goes by it"),
             field="temperature.lubricant",
-            example="--temperatures 40..80degC",
+            example='"70 degC"',
         )
     cold = coldest if coldest is not None else min(hot, own or hot)
     pitch = min(place.bearing.pitch_diameter for place in given.bearing.places)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self
 
 from pydantic import model_validator
 
@@ -19,12 +19,12 @@ from rolamento.tasks.case_request import (
     in_json,
     needs_over,
     over_a_field,
-    why_not,
     why_not_all,
 )
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.tasks.request import Input
 from rolamento.words import marked, said
+from rolamento.words.reasons import why_not
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -33,6 +33,7 @@ __all__ = [
     "ElectricalRequest",
     "FrictionRequest",
     "HeatRequest",
+    "ReportRequest",
     "SolveRequest",
     "StaticRequest",
     "TurnRequest",
@@ -406,3 +407,79 @@ class ElectricalRequest(CaseRequest):
         why = why_not(found.solved)
         text = in_json(found, schema=1, kind="electrical")
         return Finding(found, partial(electrical_page, found), text, None, why, not why)
+
+
+_HEAD: Final = ("project", "author", "revision", "date", "checked_by")
+
+
+class ReportRequest(CaseRequest):
+    """Write a calculation report to sign, of one case or several.
+
+    Several cases stand side by side, with their differences from the first.
+
+    Parameters
+    ----------
+    case
+        Case files, or designations such as 6305; up to 20, side by side. - is standard input.
+    output
+        Write the report: a .html, .pdf, .md or .txt file. By default it is printed.
+    project
+        Project, in the title block.
+    author
+        Author, in the title block.
+    revision
+        Revision, in the title block.
+    date
+        Date of the report; today by default.
+    checked_by
+        Checker, in the title block.
+    names
+        Of several cases; A, B, C … by default.
+    """
+
+    case: Annotated[Any, Input("", "files", essential=True, metavar="CASE...")]
+    output: Annotated[Any, Input("", "target", metavar="FILE")] = None
+    project: Annotated[str, Input(example="Spindle unit 4711", metavar="TEXT")] = ""
+    author: Annotated[str, Input(example="A. Souza", metavar="TEXT")] = ""
+    revision: Annotated[str, Input(example="B", metavar="TEXT")] = ""
+    date: Annotated[str, Input(example="2026-11-30")] = ""
+    checked_by: Annotated[str, Input(example="M. Okafor", metavar="TEXT")] = ""
+    names: tuple[str, ...] = ()
+
+    counts: ClassVar = True
+    waiting: ClassVar = marked("cases analysed")
+    shows_page: ClassVar = False
+    examples: ClassVar = (
+        "Examples: report case.toml -o report.pdf --author 'A. Souza';"
+        " report old.toml new.toml -o comparison.html; report 6305 --fr '2 kN'."
+    )
+
+    @property
+    def target(self) -> str | None:
+        """Name of the file of the report, if there is one."""
+        return self.output  # type: ignore[no-any-return]
+
+    def check_target(self, path: str) -> None:
+        """Refuse a name that ends as no report."""
+        from rolamento.document.writing import REPORTS, check_ending
+
+        check_ending(path, REPORTS)
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Find it, a `Report`."""
+        from rolamento.pages.report import report_page
+        from rolamento.tasks.report import calculation_report
+
+        head = {name: getattr(self, name) for name in _HEAD}
+        found = calculation_report(
+            self.case, head, self.changes, names=self.names, progress=progress
+        )
+        page = None if self.output else partial(report_page, found)
+        return Finding(found, page, found.to_json, is_result=found.converged)
+
+    def write(self, found: Any, path: str) -> None:
+        """Write its page."""
+        from rolamento.document.writing import write
+        from rolamento.pages.report import report_page
+
+        write(report_page(found.found), path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any, ClassVar, Self
@@ -18,12 +19,12 @@ from rolamento.tasks.case_request import (
     in_json,
     needs_over,
     over_a_field,
-    why_not,
     why_not_all,
 )
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.tasks.request import DECIMAL_MARK, Input
 from rolamento.words import marked, said
+from rolamento.words.reasons import why_not
 
 __all__ = [
     "GreaseRequest",
@@ -150,7 +151,7 @@ class GreaseRequest(CaseRequest):
 
 
 class OilRequest(CaseRequest):
-    """Show which ISO viscosity grade gives a wanted κ.
+    """Show which ISO viscosity grade gives the required κ.
 
     The hottest decides; what the grade does in the coldest stands beside.
 
@@ -282,7 +283,7 @@ class LifeRequest(OverRequest):
         from rolamento.tasks.life import names_of
 
         cases = [self._clean(self.loaded(source)) for source in self._sources]
-        names = names_of(cases, self._sources)
+        names = names_of(cases, _called(self._sources))
         if self.spectrum is not None:
             return self._under_steps(cases, names, tables)
         return _of_shaft(cases, names, tables) if len(cases) > 1 else _of_case(cases[0], tables)
@@ -326,6 +327,14 @@ class LifeRequest(OverRequest):
 
         found = life_curves(self.cases(), self.range(), **tables)
         return over_a_field(found, life_over_page, curves_json, life_figure)
+
+
+def _called(sources: Sequence[Any]) -> list[Any]:
+    """Return files and designations; of a case the place that it has."""
+    return [
+        one if isinstance(one, str | os.PathLike) else place
+        for place, one in enumerate(sources, start=1)
+    ]
 
 
 def _of_case(case: Case, tables: dict[str, Any]) -> Finding:

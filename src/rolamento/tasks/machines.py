@@ -1,79 +1,220 @@
-"""A machine from its file to all that follows."""
+"""Use cases of a machine, shafts on their bearings: what follows from its file."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
-from typing import Final
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self
 
 import numpy as np
+from pydantic import model_validator
 
-from rolamento.analysis.machine import MachineAnalysis, analyse_machine
-from rolamento.case.machine import load_machine, machine_reader
-from rolamento.catalogue import catalogues as catalogues_beside
-from rolamento.errors import FileError, InputError
-from rolamento.heat.machine import MachineHeat, machine_heat
+from rolamento.case.machine import Machine, load_machine, machine_reader
+from rolamento.catalogue import catalogues
+from rolamento.errors import FileError, InputError, arguments, phrase
 from rolamento.io.json import dumps
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.studies.ranges import check_points, number_and_unit, range_of_field
-from rolamento.tasks.parameters import Progress
-from rolamento.words import said
+from rolamento.tasks.case_request import Finding, FindingRequest, drawn
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import Input
+from rolamento.words import marked, said
+from rolamento.words.reasons import reason
 
-__all__ = ["MachineCurve", "analysed_machine", "heat_of_machine", "machine_over"]
+if TYPE_CHECKING:
+    from rolamento.analysis.machine import MachineAnalysis
+
+__all__ = ["CATALOGUES", "SETTINGS", "MachineCurve", "MachineRequest", "ShaftRequest"]
+
+CATALOGUES: Final = Input("", "paths", option="--catalogue", metavar="FILE")
+SETTINGS: Final = Input(
+    "", "list", separator="", option="--set", metavar="KEY=VALUE", at_computer=True
+)
+MOST_POINTS: Final = 500
+_EXAMPLE: Final = "loads.0.fz=-1..-10kN"
 
 
-def analysed_machine(
-    source: str | os.PathLike[str],
-    settings: Sequence[str] = (),
-    catalogues: Sequence[str | os.PathLike[str]] = (),
-) -> MachineAnalysis:
-    """Read a machine, solve it, and find what follows for its bearings.
+class MachineRequest(FindingRequest):
+    """A use case of a machine.
 
     Parameters
     ----------
-    source
-        Its file.
+    machine
+        Machine file (TOML or JSON, or a workbook, .xlsx); - for standard input.
     settings
-        That go over it, as of `rolamento.case.load_machine`.
+        Override a field of the machine: parts by name, or by number from 0. Repeatable.
     catalogues
-        Files of catalogues of one's own, for designations.
-
-    Raises
-    ------
-    InputError, FileError
-        As `rolamento.case.load_machine` and `analyse_machine`.
+        A catalogue of your own, CSV or TOML, for designations. Repeatable.
     """
-    with catalogues_beside(catalogues):
-        return analyse_machine(load_machine(source, settings))
+
+    machine: Annotated[Any, Input("", "file", essential=True, metavar="MACHINE")]
+    settings: Annotated[Any, SETTINGS] = ()
+    catalogues: Annotated[Any, CATALOGUES] = ()
+
+    @contextmanager
+    def loaded(self) -> Iterator[Machine]:
+        """Give the machine, with the settings over it, while the catalogues are known.
+
+        Raises
+        ------
+        InputError, FileError
+            As `rolamento.case.load_machine`.
+        """
+        with catalogues(self.catalogues):
+            is_read = isinstance(self.machine, Machine)
+            yield self.machine if is_read else load_machine(self.machine, self.settings)
 
 
-def heat_of_machine(
-    source: str | os.PathLike[str],
-    settings: Sequence[str] = (),
-    catalogues: Sequence[str | os.PathLike[str]] = (),
-) -> MachineHeat:
-    """Read a machine, and find how warm its bearings run.
+def _kinds() -> Mapping[str, str]:
+    return dict.fromkeys(("machine", "drawing", "deflection", "forces", "bearings"), "")
+
+
+class ShaftRequest(MachineRequest):
+    """Show loads, tilts and lives of the bearings on shafts.
+
+    Every bearing is solved with the shaft, nonlinear and at speed, in each step of the spectrum.
 
     Parameters
     ----------
-    source, settings, catalogues
-        As of `analysed_machine`.
-
-    Raises
-    ------
-    InputError, FileError
-        As `analysed_machine` and `rolamento.heat.machine.machine_heat`.
+    kind
+        With --plot: machine (drawing, deflection, moments, stress), drawing, deflection (of --step,
+        or of all steps), forces (shear, moment, axial force, torque, stress), bearings (a load
+        rosette each).
+    step
+        Step of the spectrum to draw, from 1.
+    over
+        Vary a field of the machine, such as loads.0.fz=-1..-10kN.
+    points
+        With --over, values of it, 2 to 500.
+    heat
+        How warm the bearings run, and what becomes of their loads: [heat].
     """
-    with catalogues_beside(catalogues):
-        return machine_heat(load_machine(source, settings))
+
+    kind: Annotated[str, Input("", "choice", choices=_kinds, default="machine")] = "machine"
+    step: Annotated[int | None, Input("", "count", example="1", metavar="N")] = None
+    over: Annotated[str | None, Input(example=_EXAMPLE, metavar="KEY=FIRST..LAST")] = None
+    points: Annotated[int, Input("", "count", default="15", between=(2, MOST_POINTS))] = 15
+    heat: Annotated[bool, Input("", "switch")] = False
+
+    counts: ClassVar = True
+    examples: ClassVar = (
+        "Examples: new --machine, then shaft machine.toml; shaft machine.toml"
+        " --set loads.0.fz='-8 kN' --set bearings.A.designation=6310; shaft machine.toml --json"
+        " result.json --xlsx result.xlsx; shaft machine.toml --report machine.pdf."
+    )
+    products: ClassVar = drawn(marked("Draw the result: a .png, .svg or .pdf file."))
+
+    @model_validator(mode="after")
+    def _warm_at_one_point(self) -> Self:
+        if self.heat and self.over is not None:
+            before = arguments(over=...)
+            raise InputError(
+                phrase(marked("cannot be combined with {before}"), before=before), field="heat"
+            )
+        return self
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Find it: a `MachineAnalysis`, a `MachineCurve` or a `MachineHeat`."""
+        if self.over is not None:
+            return self._varied(progress)
+        with self.loaded() as machine:
+            return _warm(machine) if self.heat else self._analysed(machine)
+
+    def _analysed(self, machine: Machine) -> Finding:
+        from rolamento.analysis.machine import analyse_machine
+        from rolamento.pages.machine import machine_page, machine_report
+
+        found = analyse_machine(machine)
+        status = found.solved.status
+        failed = (
+            ": ".join(part for part in (name, reason(str(code))) if part)
+            for name, code in zip(found.solved.steps, status.code, strict=True)
+            if code != "converged"
+        )
+        return Finding(
+            found, partial(machine_page, found), found.to_json, partial(self._drawn, found),
+            "\n".join(failed), found.converged, partial(machine_report, found),
+        )  # fmt: skip
+
+    def _drawn(self, found: MachineAnalysis) -> Any:
+        from rolamento.plots import machine
+
+        solved = found.solved
+        if self.step is not None and not 1 <= self.step <= len(solved):
+            rule = said(
+                "must be at least {at_least} and at most {at_most}", at_least=1, at_most=len(solved)
+            )
+            raise InputError(rule, field="step", value=self.step)
+        place = None if self.step is None else self.step - 1
+        if self.kind == "deflection":
+            return machine.draw_deflection(solved, step=place)
+        draws: dict[str, Callable[..., Any]] = {
+            "machine": machine.machine_figure,
+            "drawing": machine.draw_machine,
+            "forces": machine.draw_section_forces,
+            "bearings": machine.draw_bearings_in_place,
+        }
+        return draws[self.kind](solved, step=place or 0)
+
+    def _varied(self, progress: Progress) -> Finding:
+        """Solve the machine over a range of one of its fields; some points may be refused."""
+        from rolamento.analysis.machine import analyse_machine
+        from rolamento.pages.machine import machine_over_page
+        from rolamento.plots.machine import machine_over_figure
+
+        key, values, unit = self._range()
+        machine_under = machine_reader(self.machine)
+        found: list[MachineAnalysis | None] = []
+        refused, last = [], None
+        with catalogues(self.catalogues):
+            for done, value in enumerate(values.tolist(), start=1):
+                try:
+                    setting = f"{key}={value:.12g} {unit}".rstrip()
+                    found.append(analyse_machine(machine_under((*self.settings, setting))))
+                    refused.append("")
+                except FileError:
+                    raise
+                except InputError as error:
+                    found.append(None)
+                    refused.append(str(error))
+                    last = error
+                progress(done, self.points)
+        if last is not None and not any(one is not None for one in found):
+            raise last
+        curve = MachineCurve(key, values, unit, tuple(found), tuple(refused))
+        return Finding(
+            curve, partial(machine_over_page, curve), curve.to_json,
+            partial(machine_over_figure, curve), "", curve.converged,
+        )  # fmt: skip
+
+    def _range(self) -> tuple[str, FloatArray, str]:
+        """A field, its values, and their unit: the machine has no record that knows of it."""
+        from rolamento.studies.ranges import number_and_unit, range_of_field
+
+        text = self.over or ""
+        key, *ends = range_of_field(text, _EXAMPLE)
+        first, last = (number_and_unit(end) for end in ends)
+        if first is None or last is None or first[1] != last[1]:
+            rule = said("must be two numbers with the same unit")
+            raise InputError(rule, field="over", value=text, example=arguments(over=_EXAMPLE))
+        return key, np.linspace(first[0], last[0], self.points), last[1]
+
+
+def _warm(machine: Machine) -> Finding:
+    from rolamento.heat.machine import machine_heat
+    from rolamento.pages.machine_heat import machine_heat_page
+    from rolamento.plots.heat import machine_heat_figure
+
+    found = machine_heat(machine)
+    return Finding(
+        found, partial(machine_heat_page, found), found.to_json,
+        partial(machine_heat_figure, found),
+        "" if found.converged else reason(found.status), found.converged,
+    )  # fmt: skip
 
 
 # --- over a field ---------------------------------------------------------------------------------
-
-POINTS: Final = 15
-MOST_POINTS: Final = 500
-_EXAMPLE: Final = "loads.0.fz=-1..-10kN"
 
 
 @frozen(eq=False)
@@ -83,7 +224,7 @@ class MachineCurve:
     Attributes
     ----------
     key
-        what varies, as ``--set`` has it
+        what varies, by its dotted name
     values, unit
         of each point, and their unit; (points,)
     found
@@ -175,69 +316,3 @@ def _of_bearing(one: MachineAnalysis | None, name: str, quantity: str) -> float:
         life = one.lives[name]
         return float("nan") if life is None else life.headline.hours
     return float(getattr(seated, quantity).max())
-
-
-def machine_over(
-    source: str | os.PathLike[str],
-    over: str,
-    settings: Sequence[str] = (),
-    catalogues: Sequence[str | os.PathLike[str]] = (),
-    *,
-    points: int = POINTS,
-    progress: Progress | None = None,
-) -> MachineCurve:
-    """Solve a machine over a range of one of its fields.
-
-    Parameters
-    ----------
-    source, settings, catalogues
-        As of `analysed_machine`.
-    over
-        ``"loads.0.fz=-1..-10kN"``: a field as a setting has it, first and last value; a first value
-        without a unit has that of the last.
-    points
-        How many values, 2 to 500.
-    progress
-        Called with how many of how many points are done.
-
-    Raises
-    ------
-    InputError
-        If it is not of that form, or the machine is refused at every point.
-    FileError
-        If a file cannot be read.
-    """
-    key, values, unit = _over(over, points)
-    machine_under = machine_reader(source)
-    found: list[MachineAnalysis | None] = []
-    refused, last = [], None
-    with catalogues_beside(catalogues):
-        for done, value in enumerate(values.tolist(), start=1):
-            try:
-                setting = f"{key}={value:.12g} {unit}".rstrip()
-                found.append(analyse_machine(machine_under((*settings, setting))))
-                refused.append("")
-            except FileError:
-                raise
-            except InputError as error:
-                found.append(None)
-                refused.append(str(error))
-                last = error
-            if progress is not None:
-                progress(done, points)
-    if last is not None and not any(one is not None for one in found):
-        raise last
-    return MachineCurve(key, values, unit, tuple(found), tuple(refused))
-
-
-def _over(text: str, points: int) -> tuple[str, FloatArray, str]:
-    """A field, its values, and their unit: the machine has no record that knows of the field."""
-    key, *ends = range_of_field(text, _EXAMPLE)
-    first, last = (number_and_unit(end) for end in ends)
-    if first is None or last is None or first[1] != last[1]:
-        raise InputError(
-            said("must be two numbers with the same unit"),
-            field="--over", value=text, example=_EXAMPLE,
-        )  # fmt: skip
-    check_points(points, MOST_POINTS)
-    return key, np.linspace(first[0], last[0], points), last[1]

@@ -24,7 +24,7 @@ from rolamento.case.machine import (
 )
 from rolamento.case.machine_fields import place_of_key
 from rolamento.case.machine_sheets import holds_sheets
-from rolamento.errors import InputError, guess
+from rolamento.errors import InputError, arguments, guess
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.machines import acts_alone, solve_machines
 from rolamento.numerics import FloatArray
@@ -131,7 +131,7 @@ def mapped(
     texts = list(over) or [speed_range(subject)]
     if len(texts) > _MOST_OVER:
         raise InputError(
-            said("can be given {most} times at most", most=_MOST_OVER), field="--over",
+            said("can be given {most} times at most", most=_MOST_OVER), field="over",
             value=texts[_MOST_OVER],
         )  # fmt: skip
     check_points(points, min(MOST_POINTS, int(MOST_MACHINES ** (1.0 / len(texts)))))
@@ -139,14 +139,14 @@ def mapped(
     for one in ranges:
         if one.values[0] == one.values[-1]:
             raise InputError(
-                said("must have two different ends"), field="--over", value=one.field.name
+                said("must have two different ends"), field="over", value=one.field.name
             )
     names = [one.field.name for one in ranges]
     if len(set(names)) < len(names):
-        raise InputError(said("is given twice"), field="--over", value=names[0])
+        raise InputError(said("is given twice"), field="over", value=names[0])
     if isinstance(subject, Case):
         if bearing is not None:
-            raise InputError(said("is for a machine; a case has one"), field="--bearing",
+            raise InputError(said("is for a machine; a case has one"), field="bearing",
                              value=bearing)  # fmt: skip
         return Mapped(subject, (_of_case(subject, ranges, progress),))
     if bearing is not None:
@@ -160,7 +160,7 @@ def mapped(
 
 
 def speed_range(subject: Machine | Case) -> str:
-    """Return the range from rest to the speed of a machine or a case, as ``--over`` takes it.
+    """Return the range from rest to the speed of a machine or a case, as a range is written.
 
     Raises
     ------
@@ -176,8 +176,8 @@ def speed_range(subject: Machine | Case) -> str:
         if (speed := getattr(subject.duty, field)) != 0.0:
             return f"duty.{field}=0..{rpm_of(speed):.12g} rpm"
     raise InputError(
-        said("is missing: nothing turns, so that there is no range of speed"), field="--over",
-        example="--over duty.inner_speed=0..6000rpm",
+        said("is missing: nothing turns, so that there is no range of speed"), field="over",
+        example=arguments(over="duty.inner_speed=0..6000rpm"),
     )  # fmt: skip
 
 
@@ -185,7 +185,7 @@ def _known(machine: Machine, bearing: str) -> None:
     names = [one.name for one in machine.bearings]
     if bearing not in names:
         raise InputError(
-            said("is an unknown name; {guess}", guess=guess(bearing, names)), field="--bearing",
+            said("is an unknown name; {guess}", guess=guess(bearing, names)), field="bearing",
             value=bearing,
         )  # fmt: skip
 
@@ -244,8 +244,8 @@ def _of_supports(machine: Machine, along: Range) -> tuple[StiffnessMap, ...]:
     place = place_of_key(machine, along.field.name)
     if len(place) != 3 or place[0] != "shafts" or place[2] != "speed":
         raise InputError(
-            said("must be the speed of a shaft"), field="--over", value=along.field.name,
-            example=f"--over {speed_range(machine)}",
+            said("must be the speed of a shaft"), field="over", value=along.field.name,
+            example=arguments(over=speed_range(machine)),
         )  # fmt: skip
     return supports(machine, along.values, shaft=machine.shafts[int(place[1])].name)
 

@@ -7,7 +7,9 @@ import textwrap
 import tomllib
 from collections.abc import Iterator, Mapping
 from importlib import resources
-from typing import TYPE_CHECKING, Any, Final, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self, cast
+
+from pydantic import model_validator
 
 from rolamento.case import Case, parse_case
 from rolamento.case.bearing import Bearing
@@ -15,14 +17,22 @@ from rolamento.case.fields import Field, changed, in_file_form, of_elements
 from rolamento.case.machine import Machine
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import BY_ELEMENT, element_named
-from rolamento.errors import InputError
+from rolamento.catalogue import catalogues
+from rolamento.errors import InputError, arguments, phrase
+from rolamento.tasks.case_request import Finding, FindingRequest
+from rolamento.tasks.machines import CATALOGUES
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import FORCE, Input
 from rolamento.units import from_si, readable
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.catalogue import CatalogueBearing
 
-__all__ = ["TABLES", "case_template", "file_name", "machine_template", "machine_workbook"]
+__all__ = [
+    "TABLES", "ExamplesRequest", "NewRequest", "case_template", "file_name", "machine_template",
+    "machine_workbook",
+]  # fmt: skip
 
 TABLES: Final = {
     "": marked("Every value has its unit. Lines that begin with # are optional: what they show is "
@@ -92,6 +102,123 @@ _WITH: Final[Mapping[str, tuple[str, ...]]] = {
 """What a field takes effect with, if it does not alone: the example of another field, or a value.
 What is merely missing beside it, the case says itself."""
 _MOST_NEEDED: Final = 6
+
+
+class NewRequest(FindingRequest):
+    """Write a commented case file to start from.
+
+    It solves as it is, and shows every field that there is, with an example.
+
+    Parameters
+    ----------
+    designation
+        Designation such as 6310/C3; without it the bearing is given by its geometry.
+    output
+        File to write, by default named after the bearing; - is standard output.
+    machine
+        A machine file instead: shafts on their bearings; as a workbook if FILE ends in .xlsx.
+    force
+        Overwrite files that are there.
+    catalogues
+        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+    """
+
+    designation: Annotated[
+        str | None,
+        Input(example="6310/C3", stands_alone=True, metavar="DESIGNATION"),
+    ] = None
+    output: Annotated[Any, Input("", "target", metavar="FILE")] = None
+    machine: Annotated[bool, Input("", "switch")] = False
+    force: Annotated[bool, FORCE] = False
+    catalogues: Annotated[Any, CATALOGUES] = ()
+
+    shows_page: ClassVar = False
+    json_meaning: ClassVar = ""
+    examples: ClassVar = (
+        "Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml; new --machine."
+    )
+
+    @property
+    def target(self) -> str:
+        """Name of the file; after the bearing where none is given."""
+        usual = "machine.toml" if self.machine else file_name(self.designation)
+        return str(self.output or usual)
+
+    @property
+    def _is_workbook(self) -> bool:
+        return self.machine and self.target.lower().endswith(".xlsx")
+
+    def check_target(self, path: str) -> None:
+        """Refuse a name that ends otherwise."""
+        if path != "-" and not self._is_workbook and not path.lower().endswith(".toml"):
+            raise InputError(said("must end in .toml"), example="case.toml")
+
+    @model_validator(mode="after")
+    def _machine_of_no_bearing(self) -> Self:
+        if self.machine and self.designation is not None:
+            before = arguments(machine=...)
+            rule = phrase(marked("cannot be combined with {before}"), before=before)
+            raise InputError(rule, field="designation", value=self.designation)
+        return self
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Make it, a text, or the bytes of a workbook."""
+        words = ["rolamento", "shaft" if self.machine else "solve", self.target]
+        words += [word for own in self.catalogues for word in ("--catalogue", own)]
+        text = said("Wrote {path}; now try: {command}", path=self.target, command=" ".join(words))
+        with catalogues(self.catalogues):
+            if self._is_workbook:
+                made: str | bytes = machine_workbook()
+            else:
+                made = machine_template() if self.machine else case_template(self.designation)
+        return Finding(made, text=text + "\n")
+
+    def content(self, found: Any) -> str | bytes:
+        """Return the file."""
+        return found.found  # type: ignore[no-any-return]
+
+
+class ExamplesRequest(FindingRequest):
+    """List the shipped examples, or copy one or all of them.
+
+    Case files, studies, duties, life tests and scripts, each with a command to try on it.
+
+    Parameters
+    ----------
+    name
+        Example to copy, such as 6310_motor; all: every one.
+    output
+        Folder to copy to; by default here.
+    force
+        Overwrite files that are there.
+    """
+
+    name: Annotated[str | None, Input(example="6310_motor", stands_alone=True, metavar="NAME")] = (
+        None
+    )
+    output: Annotated[Any, Input("", "target", default=".", metavar="FOLDER")] = "."
+    force: Annotated[bool, FORCE] = False
+
+    shows_page: ClassVar = False
+    json_meaning: ClassVar = ""
+    examples: ClassVar = "Examples: examples; examples 6310_motor; examples all -o gallery."
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Copy them; return the examples by their names."""
+        from rolamento.tasks.examples import EXAMPLES, copy_examples
+
+        if self.name is None:
+            parts = (
+                f"{name}\n    {said(one.shows)}\n    {one.command}\n"
+                for name, one in EXAMPLES.items()
+            )
+            how = said("To copy one: rolamento examples NAME; every one: rolamento examples all")
+            return Finding(EXAMPLES, text="".join([*parts, "\n", how, "\n"]))
+        copied = copy_examples(self.name, self.output, force=self.force)
+        paths = dict.fromkeys(path for example in copied.values() for path in example.files)
+        lines = [said("Wrote {path}", path=path) for path in paths]
+        lines += [said("Now try: {command}", command=one.command) for one in copied.values()]
+        return Finding(copied, text="\n".join(lines) + "\n")
 
 
 def case_template(designation: str | None = None) -> str:

@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from rolamento.electrical import BearingElectrics
     from rolamento.heat import HeatBalance
     from rolamento.safety import StaticSafety
+    from rolamento.tasks.speed import LimitName, SpeedLimit
 
 __all__ = [
     "MOST_CASES",
@@ -227,6 +228,27 @@ class CaseReport:
         return balance_of(self.case)
 
     @cached_property
+    def speed_limit(self) -> SpeedLimit | None:
+        """What the speed is held against: a maker's limit with its lubricant, else ISO 15312's.
+
+        None at rest, and where none is known.
+        """
+        from rolamento.tasks.speed import speed_limits
+
+        try:
+            limits = {one.name: one for one in speed_limits(self.case).limits}
+        except InputError:  # different rolling elements have no limit together
+            return None
+        oil, film = self.case.lubricant, self.case.film
+        first: tuple[LimitName, ...] = ("catalogue", "oil_bath")
+        if oil is not None and oil.kind == "grease":
+            first = ("grease",)
+        elif film is not None and film.supply == "oil_air":
+            first = ("high_speed", *first)
+        known = (limits[name] for name in (*first, "reference") if name in limits)
+        return next((one for one in known if one.share > 0.0), None)
+
+    @cached_property
     def checksum(self) -> str:
         """SHA-256 of the normalised inputs."""
         return checksum_of(self.case)
@@ -402,7 +424,7 @@ def calculation_report(
     if not 1 <= len(bearings) <= MOST_CASES:
         raise InputError(
             said("must be 1 to {most} in one report", most=MOST_CASES),
-            field="CASE",
+            field="case",
             value=len(bearings),
         )
     read = [_read(one, changes) for one in bearings]

@@ -16,7 +16,7 @@ from datetime import date
 from math import isfinite
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Self, TypeGuard
 
-from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema, core_schema
 
 from rolamento.case.record import Record, meanings
@@ -24,32 +24,35 @@ from rolamento.errors import InputError, Phrase, arguments
 from rolamento.io.columns import folded_name
 from rolamento.io.json import dumps
 from rolamento.io.numerals import Numerals
+from rolamento.io.writing import write_bytes, write_text
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
-from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.parameters import quietly
 from rolamento.units import Dimension, refuse_thousands, to_si
 from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
     from rolamento.document import Document
 
-__all__ = ["DECIMAL_MARK", "PICTURE", "Input", "Product", "Request", "number_in"]
+__all__ = ["DECIMAL_MARK", "FORCE", "PICTURE", "Input", "Product", "Request", "number_in"]
 
 Kind = Literal[
     "text", "number", "count", "fraction", "frequency", "time", "quantity", "cost", "date",
     "switch", "choice", "choices", "list", "numbers", "values", "bearing", "shipped", "file",
-    "files", "path", "paths",
+    "files", "path", "paths", "target",
 ]  # fmt: skip
 """Kind of a value: text with or without a unit, a number, one of several, several of them.
 
 Values are numbers or texts by a choice, or as ``KEY=VALUE``.
 
 A bearing is a designation, or a case; at the computer itself also the name of a case file. Files
-are the arguments of a command, and a path is an option with the name of a file: no page and no
-program elsewhere may name one. What is shipped may be read in the place of a file.
+are the arguments of a command, a path is an option with the name of a file, and a target one with
+that of a file to be written: no page and no program elsewhere may name one. What is shipped may be
+read in the place of a file.
 """
 PICTURE: Final = marked("Draw the result: a .png, .svg or .pdf file.")
 _OPTIONS: Final = marked("Options")
+_OUTPUT: Final = marked("Output")
 _LONGEST: Final = 300
 _MOST: Final = 50
 _GREATEST: Final = 1e300
@@ -99,6 +102,10 @@ class Input:
         what else may be typed for one of them, in lower case without accents
     dimension
         of a quantity
+    between
+        bounds of a number, or of each of several; they belong to it
+    most
+        of its values
     separator
         between the values of a list; "" where each is given by itself
     default
@@ -111,6 +118,8 @@ class Input:
         whether no page asks for it
     of_case
         dotted name of the field of a case that it gives
+    stands_alone
+        whether a command takes it without an option
     option, metavar
         of the command line: its long name, or both of a switch with its opposite, where that is
         not the name of the field; and what stands for its value
@@ -123,12 +132,15 @@ class Input:
     choices: Callable[[], Mapping[str, str]] | None = None
     aliases: Mapping[str, str] | None = None
     dimension: Dimension | None = None
+    between: tuple[float, float] | None = None
+    most: int = _MOST
     separator: str = ";"
     default: str = ""
     essential: bool = False
     on_page: str = ""
     at_computer: bool = False
     of_case: str = ""
+    stands_alone: bool = False
     option: str = ""
     metavar: str = ""
 
@@ -144,8 +156,8 @@ class Input:
 
     @property
     def is_argument(self) -> bool:
-        """Whether it is no option of a command, but what that reads."""
-        return self.kind in ("file", "files")
+        """Whether it is no option of a command, but stands by itself."""
+        return self.kind in ("file", "files") or self.stands_alone
 
     @property
     def is_local(self) -> bool:
@@ -154,8 +166,8 @@ class Input:
 
     @property
     def names_files(self) -> bool:
-        """Whether it is read from the disk."""
-        return self.kind in ("file", "files", "path", "paths")
+        """Whether it is read from the disk, or written there."""
+        return self.kind in ("file", "files", "path", "paths", "target")
 
     def long_option(self, name: str) -> str:
         """Return the long name of its option, the first of a switch; name: of its field."""
@@ -208,17 +220,25 @@ class Input:
         if self.is_many:
             return self._values((given,) if isinstance(given, str | int | float) else given)
         if not isinstance(given, str):
-            return self._checked(given)
+            return self._bounded(self._checked(given))
         if self._is_too_long(given):
             raise InputError(said("must be at most {most} characters long", most=_LONGEST))
-        return self._read(given.strip())
+        return self._bounded(self._read(given.strip()))
+
+    def _bounded(self, number: Any) -> Any:
+        """Return a number, if it lies within the bounds."""
+        if self.between is not None and not self.between[0] <= number <= self.between[1]:
+            rule = said("must be at least {at_least} and at most {at_most}",
+                        at_least=self.between[0], at_most=self.between[1])  # fmt: skip
+            raise InputError(rule, value=number)
+        return number
 
     def _is_too_long(self, given: str) -> bool:
         return len(given) > _LONGEST and not self.at_computer
 
     def _values(self, given: Sequence[Any]) -> tuple[Any, ...]:
-        if len(given) > _MOST:
-            raise InputError(said("may be given at most {most} times", most=_MOST))
+        if len(given) > self.most and not self.at_computer:
+            raise InputError(said("may be given at most {most} times", most=self.most))
         if any(self._is_too_long(one) for one in given if isinstance(one, str)):
             raise InputError(said("must be at most {most} characters long", most=_LONGEST))
         if self.kind == "choices":
@@ -233,9 +253,14 @@ class Input:
             for part in (one.split(self.separator) if is_joined(one) else (one,))
         ]
         given = [part for part in parts if part != ""]
+        if any(one is None or isinstance(one, bool | Mapping | list | tuple) for one in given):
+            raise InputError(said("must be a number or text"))
+        if self.kind == "numbers" and len(given) > self.most:
+            raise InputError(said("may be given at most {most} times", most=self.most))
         if self.kind == "numbers":
-            read = (number_in(part) if isinstance(part, str) else part for part in given)
-            return tuple(dict.fromkeys(read))
+            read = (number_in(part) if isinstance(part, str) else self._checked(part)
+                    for part in given)  # fmt: skip
+            return tuple(dict.fromkeys(map(self._bounded, read)))
         return tuple(given)
 
     def _by_key(self, given: Mapping[str, Any] | Sequence[str]) -> dict[str, Any]:
@@ -321,16 +346,21 @@ class Input:
             either = {"anyOf": [{"type": "string"}, {"type": "number"}]}
             return {"type": "object", "propertyNames": text, "additionalProperties": either}
         if self.is_many:
-            return {"type": "array", "items": text, "maxItems": _MOST}
-        number = {"switch": "boolean", "count": "integer"}.get(self.kind, "number")
+            either = text if self.kind == "choices" else {"anyOf": [{"type": "number"}, text]}
+            return {"type": "array", "items": either, "maxItems": self.most}
+        kind = {"switch": "boolean", "count": "integer"}.get(self.kind, "number")
+        number: dict[str, Any] = {"type": kind}
+        if self.between is not None:
+            number["minimum"], number["maximum"] = self.between
         is_text = self.kind in ("text", "choice", "date")
-        return text if is_text else {"anyOf": [{"type": number}, text]}
+        return text if is_text else {"anyOf": [number, text]}
 
 
 def _marks() -> Mapping[str, str]:
     return {"point": marked("point: 12.5"), "comma": marked("comma: 12,5")}
 
 
+FORCE: Final = Input("", "switch")
 DECIMAL_MARK: Final = Input(
     "Decimal mark", "choice", choices=_marks, example="comma", metavar="MARK"
 )
@@ -348,7 +378,9 @@ class Request(Record):
     products: ClassVar[Mapping[str, Product]] = {}
     """Files beside the page, by the names of their options."""
     json_meaning: ClassVar[str] = "Write everything as JSON, in SI units"
-    """What JSON of the result is."""
+    """What JSON of the result is; "" where there is none."""
+    shows_page: ClassVar[bool] = True
+    """Whether its page and the tables on it may be written to files, beside its target."""
     examples: ClassVar[str] = ""
     """Command lines, for its help."""
     waiting: ClassVar[str] = marked("Calculating")
@@ -405,7 +437,7 @@ class Request(Record):
         found: dict[str, tuple[str, ...]] = dict.fromkeys(cls.headings, ())
         for name, one in cls.inputs().items():
             if not one.is_argument:
-                heading = one.group or _OPTIONS
+                heading = one.group or (_OUTPUT if one.kind == "target" else _OPTIONS)
                 found[heading] = (*found.get(heading, ()), name)
         return found
 
@@ -459,13 +491,71 @@ class Request(Record):
                 found[name] = texts if one.is_many else texts[-1]
         return cls(**{**found, **own})
 
-    def run(self, progress: Progress = quietly) -> Any:
+    def run(self, progress: Any = quietly) -> Any:
         """Do it; progress: called with how much is done, and of how much."""
         raise NotImplementedError
+
+    @property
+    def lasts(self) -> bool:
+        """Whether it may take hours, and keeps what is done when it is ended."""
+        return False
+
+    @property
+    def target(self) -> str | None:
+        """Name of the file that the result itself is written to; None where a page is all."""
+        return None
+
+    def check_target(self, path: str) -> None:
+        """Refuse a name that ends as no such file.
+
+        Raises
+        ------
+        InputError
+            If it does.
+        """
+
+    @model_validator(mode="after")
+    def _writes_where_it_can(self) -> Self:
+        if self.target is not None:
+            try:
+                self.check_target(self.target)
+            except InputError as error:
+                raise error.with_details(source="", field="output", value=self.target) from None
+        return self
+
+    def content(self, found: Any) -> str | bytes:
+        """Return what stands in that file."""
+        raise NotImplementedError
+
+    def write(self, found: Any, path: str) -> None:
+        """Write it; a request whose `run` has written it does nothing.
+
+        Raises
+        ------
+        InputError, FileError
+            If it cannot be written, or is there and may not be overwritten.
+        """
+        content, is_new = self.content(found), not getattr(self, "force", True)
+        if isinstance(content, bytes):
+            write_bytes(content, path, new=is_new)
+        else:
+            write_text(content, path, new=is_new)
 
     def page(self, found: Any) -> Document:
         """Return what people read of a result."""
         return found.page()  # type: ignore[no-any-return]
+
+    def has_page(self, found: Any) -> bool:
+        """Return whether a result has a page."""
+        return True
+
+    def closing(self, found: Any) -> str:
+        """Return what they read behind the page, or in its place, as it is."""
+        return ""
+
+    def report(self, found: Any) -> Callable[[], Document] | None:
+        """Return what makes the page of a report, where that is more than `page`."""
+        return None
 
     def complaint(self, found: Any) -> str:
         """Return why there is no result, for who reads the data alone; "" if there is one."""

@@ -2,39 +2,32 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
-from typing import Any, Final
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import numpy as np
 
-from rolamento.case.machine import Machine, load_machine
-from rolamento.catalogue import catalogues as catalogues_beside
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.json import dumps
-from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.rotors import (
-    MOST_MODES,
-    campbell,
-    natural_modes,
-    turning_shaft,
-    unbalance_response,
-)
-from rolamento.solved.rotor import Campbell, CriticalSpeed, Modes, UnbalanceResponse
-from rolamento.studies.ranges import check_points, ends_of
-from rolamento.tasks.machines import MOST_POINTS
-from rolamento.tasks.parameters import Progress
+from rolamento.tasks.case_request import Finding, drawn
+from rolamento.tasks.machines import MOST_POINTS, MachineRequest
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import Input
 from rolamento.units import rpm_of, to_si
-from rolamento.words import said
+from rolamento.words import marked, said
 
-__all__ = ["MOST_ORDERS", "MachineVibration", "machine_vibration"]
+if TYPE_CHECKING:
+    from rolamento.case.machine import Machine
+    from rolamento.numerics import FloatArray
+    from rolamento.solved.rotor import Campbell, CriticalSpeed, Modes, UnbalanceResponse
 
-POINTS: Final = 40
+__all__ = ["MachineVibration", "RotorRequest"]
+
 _BEYOND: Final = 1.5
 """Times the operating speed up to which the diagram goes if nobody says."""
-_EXAMPLE: Final = "--speeds 0..6000rpm"
-MOST_ORDERS: Final = 20
+_EXAMPLE: Final = "0..6000rpm"
+_MOST_ORDERS: Final = 20
 _NEAR: Final = (0.97, 0.99, 1.0, 1.01, 1.03)
 """Parts of each critical speed at which the response is sought besides: peaks are narrow."""
 
@@ -93,111 +86,121 @@ class MachineVibration:
         return dumps(mapping, indent=2)
 
 
-def machine_vibration(
-    source: Machine | str | os.PathLike[str],
-    settings: Sequence[str] = (),
-    catalogues: Sequence[str | os.PathLike[str]] = (),
-    *,
-    speeds: str | None = None,
-    shaft: str | None = None,
-    points: int = POINTS,
-    count: int = 8,
-    orders: Sequence[float] = (1.0,),
-    damping: float | None = None,
-    progress: Progress | None = None,
-) -> MachineVibration:
-    """Find modes, Campbell diagram and response to unbalance of a machine.
-
-    Parameters
-    ----------
-    source, settings, catalogues
-        As of `rolamento.tasks.machines.analysed_machine`; or a machine, which settings do not go
-        over.
-    speeds
-        ``"0..6000rpm"``, of the shaft; from 0 to 1.5 times its own if not given.
-    shaft
-        Whose speeds they are; the first that turns if not given.
-    points
-        How many speeds, 2 to 500.
-    count
-        How many modes, at most 60.
-    orders
-        Of the rotation, at which critical speeds are sought; at most 20.
-    damping
-        s: the damping matrix is so many times the stiffness. None for modes, and 1e-5 s for the
-        response, if not given.
-    progress
-        Called with how many of the three parts are done.
-
-    Returns
-    -------
-    MachineVibration
-
-    Raises
-    ------
-    InputError, FileError
-        As `rolamento.rotors.campbell`; or if a range, an order or the damping is none.
-    """
-    _check(count, orders, damping)
-    with catalogues_beside(catalogues):
-        machine = source if isinstance(source, Machine) else load_machine(source, settings)
-        name = turning_shaft(machine, shaft)
-        asked = _speeds(speeds, points, abs(machine.speed(name)))
-        done = progress or (lambda _done, _all: None)
-        modes = natural_modes(machine, count=count, damping=damping or 0.0)
-        done(1, 3)
-        diagram = campbell(
-            machine, asked, shaft=name, count=count, orders=orders, damping=damping or 0.0
-        )
-        done(2, 3)
-        response = None
-        if any(mass.unbalance for mass in machine.masses if mass.shaft == name):
-            near = [f * one.speed for one in diagram.critical if one.order == 1.0 for f in _NEAR]
-            own = abs(modes.machine.speed(name, _factor(modes.machine)))
-            closer = [one for one in (*near, own) if asked[0] <= one <= asked[-1]]
-            response = unbalance_response(
-                machine, np.union1d(asked, closer), shaft=name, damping=damping
-            )
-        done(3, 3)
-    return MachineVibration(modes, diagram, response)
-
-
 def _factor(machine: Machine) -> float:
     """Factor of all speeds in the step that counts."""
     return machine.spectrum[0].speed_factor if machine.spectrum else 1.0
 
 
-def _speeds(speeds: str | None, points: int, own: float) -> FloatArray:
-    text = f"0..{rpm_of(_BEYOND * own):.12g} rpm" if speeds is None else speeds
-    check_points(points, MOST_POINTS)
-    try:
-        first, last = (to_si(end, "angular_speed") for end in ends_of(text) or ("", ""))
-    except InputError:
-        raise InputError(
-            said("must be FIRST..LAST, with a unit"),
-            field="--speeds", value=text[:200], example=_EXAMPLE,
-        ) from None  # fmt: skip
-    if not 0.0 <= first < last:
-        raise InputError(
-            said("must rise from 0 or more"), field="--speeds", value=text, example=_EXAMPLE
+class RotorRequest(MachineRequest):
+    """Show natural frequencies and critical speeds of shafts.
+
+    The bearings are solved anew at each speed: their stiffness changes with load and speed. Where
+    masses of the machine are unbalanced, how they shake it.
+
+    Parameters
+    ----------
+    speeds
+        Speeds of the shaft, such as 0..6000rpm; to 1.5 times its own by default.
+    shaft
+        Whose speeds; by default the first that turns.
+    points
+        How many speeds, 2 to 500.
+    modes
+        How many modes, 1 to 60.
+    orders
+        Orders of the rotation that excite, such as 1,2 or the teeth of a gear; 1 by default.
+    damping
+        Damping over stiffness, in s; of the response 1e-5 by default, with a note.
+    picture
+        What --plot draws: campbell, modes or unbalance.
+    """
+
+    speeds: Annotated[str | None, Input(example=_EXAMPLE, metavar="FIRST..LAST")] = None
+    shaft: Annotated[str | None, Input(example="shaft", metavar="NAME")] = None
+    points: Annotated[int, Input("", "count", default="40", between=(2, MOST_POINTS))] = 40
+    modes: Annotated[int, Input("", "count", default="8", between=(1, 60))] = 8
+    orders: Annotated[
+        tuple[float, ...],
+        Input(
+            "", "numbers", example="1,2", separator=",", between=(0.001, 1e4), default="1",
+            most=_MOST_ORDERS, metavar="LIST",
+        ),
+    ] = (1.0,)  # fmt: skip
+    damping: Annotated[
+        float | None, Input("", "number", example="2e-5", between=(0, 1), metavar="S")
+    ] = None
+    picture: Annotated[
+        str,
+        Input(
+            "", "choice", choices=lambda: dict.fromkeys(("campbell", "modes", "unbalance"), ""),
+            default="campbell", metavar="NAME",
+        ),
+    ] = "campbell"  # fmt: skip
+
+    counts: ClassVar = True
+    waiting: ClassVar = marked("parts of the calculation")
+    examples: ClassVar = (
+        "Examples: rotor machine.toml; rotor machine.toml --speeds 0..12000rpm --orders 1,2"
+        " --plot campbell.png; rotor machine.toml --picture unbalance --plot unbalance.png"
+        " --damping 2e-5."
+    )
+    products: ClassVar = drawn(marked("Draw the result: a .png, .svg or .pdf file."))
+
+    def run(self, progress: Progress = quietly) -> Finding:
+        """Find it, a `MachineVibration`."""
+        from rolamento.pages.rotor import vibration_page
+
+        with self.loaded() as machine:
+            found = self._vibration(machine, progress)
+        return Finding(
+            found, partial(vibration_page, found), found.to_json, partial(self._drawn, found), "",
+            found.converged,
+        )  # fmt: skip
+
+    def _vibration(self, machine: Machine, progress: Progress) -> MachineVibration:
+        from rolamento.rotors import campbell, natural_modes, turning_shaft, unbalance_response
+
+        name, damping = turning_shaft(machine, self.shaft), self.damping or 0.0
+        speeds = self._speeds(abs(machine.speed(name)))
+        modes = natural_modes(machine, count=self.modes, damping=damping)
+        progress(1, 3)
+        diagram = campbell(
+            machine, speeds, shaft=name, count=self.modes, orders=self.orders, damping=damping
         )
-    return np.linspace(first, last, points)
+        progress(2, 3)
+        response = None
+        if any(mass.unbalance for mass in machine.masses if mass.shaft == name):
+            near = [f * one.speed for one in diagram.critical if one.order == 1.0 for f in _NEAR]
+            own = abs(modes.machine.speed(name, _factor(modes.machine)))
+            closer = [one for one in (*near, own) if speeds[0] <= one <= speeds[-1]]
+            response = unbalance_response(
+                machine, np.union1d(speeds, closer), shaft=name, damping=self.damping
+            )
+        progress(3, 3)
+        return MachineVibration(modes, diagram, response)
 
+    def _speeds(self, own: float) -> FloatArray:
+        from rolamento.studies.ranges import ends_of
 
-def _check(count: int, orders: Sequence[float], damping: float | None) -> None:
-    if not 1 <= count <= MOST_MODES:
-        raise InputError(
-            said("must be at least {at_least} and at most {at_most}", at_least=1,
-                 at_most=MOST_MODES),
-            field="--modes", value=count, example="--modes 8",
-        )  # fmt: skip
-    if not 1 <= len(orders) <= MOST_ORDERS or not all(0.0 < one <= 1e4 for one in orders):
-        raise InputError(
-            said("must be 1 to {most} numbers above 0", most=MOST_ORDERS),
-            field="--orders", example="--orders 1,2",
-        )  # fmt: skip
-    if damping is not None and not 0.0 <= damping <= 1.0:
-        raise InputError(
-            said("must be between {at_least} and {at_most}", at_least=0, at_most=1),
-            field="--damping", value=damping, example="--damping 2e-5",
-        )  # fmt: skip
+        text = f"0..{rpm_of(_BEYOND * own):.12g} rpm" if self.speeds is None else self.speeds
+        rule = said("must rise from 0 or more")
+        try:
+            first, last = (to_si(end, "angular_speed") for end in ends_of(text) or ("", ""))
+        except InputError:
+            first, last, rule = 0.0, 0.0, said("must be FIRST..LAST, with a unit")
+        if not 0.0 <= first < last:
+            example = arguments(speeds=_EXAMPLE)
+            raise InputError(rule, field="speeds", value=text, example=example)
+        return np.linspace(first, last, self.points)
+
+    def _drawn(self, found: MachineVibration) -> Any:
+        from rolamento.plots.machine import campbell_figure, modes_figure, response_figure
+
+        if self.picture != "unbalance":
+            is_modes = self.picture == "modes"
+            return modes_figure(found.modes) if is_modes else campbell_figure(found.campbell)
+        if found.response is None:
+            shaft = f'"{found.campbell.shaft}"'
+            rule = said("is missing: nothing on shaft {shaft} is unbalanced", shaft=shaft)
+            raise InputError(rule, field="masses", example='unbalance = "100 g mm"')
+        return response_figure(found.response)

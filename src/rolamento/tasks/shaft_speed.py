@@ -17,7 +17,7 @@ import numpy as np
 from rolamento.errors import FileError, InputError, arguments, phrase
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.tasks.parameters import Progress, renamed
+from rolamento.tasks.parameters import Progress
 from rolamento.tasks.signals import AtSpeed
 from rolamento.units import rpm_of
 from rolamento.vibration.order_tracking import revolutions_of
@@ -545,7 +545,7 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
             tacho.close()
             tacho = open_signal(source.path, channel=channel, rate=rate, decimal_mark=mark)
     except InputError as error:
-        raise renamed(error, {"channel": "tacho"}) from None
+        raise error.spelled({"channel": "tacho"}) from None
     if _channel_number(tacho) == _channel_number(source):
         tacho.close()
         raise InputError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
@@ -21,6 +22,7 @@ from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.ratings import (
     dynamic_rating,
+    rated_as,
     roller_dynamic_rating,
     roller_static_rating,
     static_rating,
@@ -353,9 +355,11 @@ def _rating(row: Bearing | RollerBearing, name: str, angle: float) -> float:
     """C or C_0 by the standards, NaN of balls on other grooves; N."""
     if isinstance(row, RollerBearing):
         sizes = (row.roller_count, row.roller_diameter, row.effective_length, row.pitch_diameter)
+        kind = row.bearing_type
+        thrust = bool(rated_as(kind.rated)["axial"])
         if name == "static_rating":
-            return float(roller_static_rating(*sizes, angle))
-        return float(roller_dynamic_rating(*sizes, angle, kind=row.element))
+            return float(roller_static_rating(*sizes, angle, thrust=thrust))
+        return float(roller_dynamic_rating(*sizes, angle, kind=kind.key, thrust=thrust))
     if row.kind is not None:
         return nan
     of_balls = dynamic_rating if name == "dynamic_rating" else static_rating
@@ -408,7 +412,7 @@ def _series_of_size(bore: float | None, outside: float | None, angular: bool) ->
     return ""
 
 
-@frozen
+@frozen(slots=False)
 class _Asked:
     case: Case
     boundary: Boundary
@@ -435,7 +439,7 @@ class _Asked:
         mean = self.boundary.mean_diameter
         return self.case.bearing.places[0].bearing.pitch_diameter if mean is None else mean
 
-    @property
+    @cached_property
     def viscosity(self) -> float | None:
         """ν at the lubricant's temperature, m²/s; None where the case does not say."""
         oil, warm = self.case.lubricant, self.case.lubricant_temperature
@@ -626,6 +630,8 @@ class _Asked:
     ) -> list[MinimumLoad]:
         given, (radial, _) = self.boundary, self.loads
         bearing = self.case.bearing
+        if bearing.bearing_type.washers:  # the rules are for radial load
+            return []
         is_full = bearing.published is not None and bearing.published.is_full_complement
         static_share = minimum_static_share(bearing.bearing_type.key, is_full)
         if static_share is not None:

@@ -169,7 +169,7 @@ def _executor(threads: int | None, scheduler: str | None) -> Executor:
     if threads is not None:
         raise InputError(
             said("cannot be combined with --scheduler: the cluster has its own threads"),
-            field="--threads",
+            field="threads",
             value=threads,
         )
     from rolamento.studies.cluster import dask_cluster
@@ -233,7 +233,7 @@ def tolerance(
     elif sobol_samples is not None:
         raise InputError(
             said("needs the study file: the indices come from runs of their own"),
-            field="--sobol",
+            field="sobol",
             source=source,
             example="rolamento tolerance study.toml --sobol 1024",
         )

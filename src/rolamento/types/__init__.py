@@ -26,6 +26,7 @@ from rolamento.types import (
     tapered,
     thrust_ball,
     thrust_cylindrical,
+    thrust_tapered,
     toroidal,
 )
 from rolamento.types._type import BALL, ROLLER, BearingType, Ribs
@@ -51,7 +52,7 @@ __all__ = [
 BearingKey = Literal[
     "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
     "cylindrical", "tapered", "needle", "drawn_cup", "barrel", "spherical", "toroidal",
-    "cylindrical_thrust", "full_complement", "double_row_cylindrical",
+    "cylindrical_thrust", "tapered_thrust", "full_complement", "double_row_cylindrical",
 ]  # fmt: skip
 """Keys of the types, as a catalogue has them."""
 RollerElement = Literal["cylindrical", "tapered", "needle", "barrel"]
@@ -83,6 +84,7 @@ TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
             spherical.TYPE,
             toroidal.TYPE,
             thrust_cylindrical.TYPE,
+            thrust_tapered.TYPE,
             full_complement.TYPE,
             double_row_cylindrical.TYPE,
         )
@@ -91,7 +93,7 @@ TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
 """Every type by its key, in the order in which they are shown."""
 assert tuple(TYPES) == get_args(BearingKey)
 
-_BY_RINGS: Final = {(one.rolls, one.grooves): one for one in TYPES.values() if one.grooves}
+_BY_RINGS: Final = {(one.element, one.grooves): one for one in TYPES.values() if one.grooves}
 BY_ELEMENT: Final[Mapping[str, BearingType]] = MappingProxyType(
     {
         one.element: next(own for own in TYPES.values() if own.element == one.element)
@@ -111,6 +113,11 @@ def of_balls(*, angled: bool) -> BearingType:
     return angular_contact.TYPE if angled else deep_groove.TYPE
 
 
-def of_grooves(grooves: str, rolls: str = BALL) -> BearingType:
-    """Return the type by its rings, the ``kind`` of a record: of balls such as ``"four_point"``."""
-    return _BY_RINGS[rolls, grooves]
+def of_grooves(grooves: str, element: str = BALL) -> BearingType:
+    """Return the type by its rings, the ``kind`` of a record: of balls such as ``"four_point"``.
+
+    Where no such rollers roll in such rings, the first type that has them.
+    """
+    if (element, grooves) in _BY_RINGS:
+        return _BY_RINGS[element, grooves]
+    return next(one for one in TYPES.values() if one.has_rollers and one.grooves == grooves)

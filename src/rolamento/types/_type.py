@@ -177,6 +177,11 @@ class BearingType:
         return self.has_rollers and not self.conical and not self.barrels
 
     @property
+    def crowned_whole(self) -> bool:
+        """Whether its rollers have the standard's profile of tapered and thrust bearings."""
+        return self.conical or self.washers
+
+    @property
     def has_rollers(self) -> bool:
         """Whether rollers roll in it."""
         return self.element != BALL

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 import numpy as np
 
 from rolamento.case.bearing import Bearing
-from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.roller_bearing import RollerBearing, axis_angle
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, ring_geometry
 from rolamento.io.json import plain
@@ -509,7 +509,7 @@ def nominal_angle(
     Of rollers it is that of their axis.
     """
     if isinstance(bearing, RollerBearing):
-        return axis_angle(bearing), _apex_notes(bearing)
+        return float(axis_angle(bearing)), _apex_notes(bearing)
     if isinstance(contact_angle, str):
         if contact_angle not in ("zero", "free"):
             raise InputError(
@@ -533,25 +533,22 @@ def nominal_angle(
     return contact_angle, ()
 
 
-def axis_angle(bearing: RollerBearing) -> float:
-    """Return the angle of the rollers' axis to the shaft, β = α - φ; rad."""
-    return bearing.row_angle - (bearing.roller_half_angle or 0.0)
-
-
 def _apex_notes(bearing: RollerBearing) -> tuple[Note, ...]:
     """Say so where the cones of rollers and raceways cannot roll truly."""
-    if bearing.bearing_type.washers:
+    if bearing.bearing_type.washers and not bearing.bearing_type.conical:
         return (Note("rollers_slide_on_washers"),)
     if bearing.bearing_type.barrels:  # which roll at their middle by their shape
         return ()
-    half, axis = bearing.roller_half_angle or 0.0, axis_angle(bearing)
+    half, axis = bearing.roller_half_angle or 0.0, float(axis_angle(bearing))
     sizes = bearing.roller_diameter, bearing.pitch_diameter
     if abs(float(apex_mismatch(*sizes, axis, half))) <= _TRUE_CONES:
         return ()
     inner, outer = sin(axis - half), sin(axis + half)
     values = {
         "half_angle": half,
-        "apex_half_angle": float(apex_half_angle(*sizes, bearing.row_angle)),
+        "apex_half_angle": float(
+            apex_half_angle(*sizes, bearing.row_angle, washers=bearing.bearing_type.washers)
+        ),
         "order_by_angles": inner / (inner + outer),
     }
     return (Note("no_common_apex", values),)
@@ -571,7 +568,7 @@ def _nominal_row(
     lines = {name: plain_line(order, shaft.frequency) for name, order in orders.items()}
     angles = (angle, angle)
     if isinstance(bearing, RollerBearing):
-        angles = (bearing.inner_contact_angle, bearing.row_angle)
+        angles = (bearing.inner_contact_angle, bearing.outer_contact_angle)
     row_of = _Row("nominal", count, shaft, slip, row, bearing.element)
     return row_of.record(angles, turns, lines, (*shaft.notes, *notes))
 

@@ -29,10 +29,9 @@ from rolamento.web.requests import (
     BatchRequest,
     CaseRequest,
     LifeRequest,
+    LifeTestRequest,
     MachineRequest,
     ReportRequest,
-    RotorRequest,
-    WeibullRequest,
     asking,
 )
 from rolamento.words import marked, said
@@ -48,6 +47,10 @@ _OIL: Final = {"lubricant": "ISO VG 68", "temperature.lubricant": "70 degC"}
 _OF_FREQUENCIES: Final = (
     *("speed", "outer_speed", "slip", "angle", "tolerances", "harmonics", "sidebands"),
 )
+_OF_LIFE_TEST: Final = (
+    "bounds", "confidence", "sides", "reliabilities", "times", "shape", "by_group", "only",
+    "by_mode", "only_mode", "models", "samples", "seed",
+)  # fmt: skip
 _ON_SHAFT: Final = {"machine": EXAMPLE_MACHINE, "settings": {"loads.0.fz": "-3 kN"}}
 _WITH_OIL: Final = {"designation": "6310/C3", "settings": {**_LOAD, **_OIL}}
 
@@ -124,15 +127,13 @@ def _batch(asked: BatchRequest) -> str:
 
 
 def _life(asked: LifeRequest) -> str:
-    from rolamento.tasks.life import life_of_case, life_of_shaft, names_of
-
-    if not asked.bearings:
-        return life_of_case(asked.to_case()).to_json()
-    if asked.case is not None or asked.designation is not None or asked.settings:
+    alone = asked.case is None and asked.designation is None and not asked.settings
+    if asked.bearings and not alone:
         rule = said("cannot be combined with a case: a shaft has its bearings alone")
         raise InputError(rule, field="bearings")
     cases = [_of_list(one, "bearings", place) for place, one in enumerate(asked.bearings)]
-    return life_of_shaft(cases).to_json(names_of(cases, range(1, len(cases) + 1)))
+    done = tasks.LifeRequest(case=cases or [asked.to_case()])
+    return done.json_text(done.run())
 
 
 def _of_list(asked: CaseRequest, name: str, place: int) -> rolamento.Case:
@@ -148,82 +149,30 @@ def _shaft(asked: MachineRequest) -> str:
     return rolamento.analyse_machine(asked.to_machine()).to_json(indent=None)
 
 
-def _rotor(asked: RotorRequest) -> str:
-    from rolamento.tasks.rotor import machine_vibration
-
-    try:
-        return machine_vibration(
-            asked.to_machine(),
-            speeds=asked.speeds,
-            shaft=asked.shaft,
-            points=asked.points,
-            count=asked.modes,
-            orders=asked.orders,
-            damping=asked.damping,
-        ).to_json()
-    except InputError as error:  # of the command's options
-        if not (error.field or "").startswith("--"):
-            raise
-        name = (error.field or "").removeprefix("--")
-        raise error.with_details(field=name, example=arguments(speeds="0..6000rpm")) from None
-
-
 def _run(
-    request: type[tasks.CaseRequest], *names: str, needs_load: bool = True
-) -> tuple[Callable[[Any], str], type[CaseRequest]]:
-    """Return what runs a use case of a case, and the record that its body holds.
+    request: type[tasks.Request],
+    *names: str,
+    needs_load: bool = True,
+    of: type[Record] | None = None,
+) -> tuple[Callable[[Any], str], type[Any]]:
+    """Return what runs a use case, and the record that its body holds.
 
-    names: of what else it may be given.
+    names: of what else it may be given; of: as of `asking`.
     """
 
-    def run(asked: CaseRequest) -> str:
+    def run(asked: Any) -> str:
         given = {name: one for name in names if (one := getattr(asked, name)) is not None}
-        done = request(case=asked.to_case(needs_load=needs_load), **given)
+        done = request(**asked.subject(needs_load=needs_load), **given)
         return done.json_text(done.run())
 
-    return run, asking(request, *names)
-
-
-def _weibull(asked: WeibullRequest) -> str:
-    from rolamento.tasks.weibull import bounds_named, fits_named, life_test_study
-    from rolamento.weibull import LifeTest, ShapePrior
-
-    table, prior = asked.test, asked.prior
-    columns = {
-        name: getattr(table, name) for name in ("failed", "lower", "counts", "group", "rig", "mode")
-    }
-    given: dict[str, Any] = {name: one for name, one in columns.items() if one is not None}
-    if table.lower is not None:
-        given["lower"] = [float("nan") if one is None else one for one in table.lower]
-    found = life_test_study(
-        LifeTest(table.times, **given, unit=table.unit, title=table.title),
-        only=asked.only,
-        by_group=asked.by_group,
-        by_mode=asked.by_mode,
-        only_mode=asked.only_mode,
-        models=asked.models,
-        times=asked.times,
-        calculated=asked.calculated,
-        samples=asked.samples,
-        methods=fits_named(asked.methods),
-        bounds=None if asked.bounds is None else bounds_named(asked.bounds),
-        confidence=asked.confidence,
-        sides=asked.sides,
-        reliabilities=tuple(dict.fromkeys(asked.reliabilities)),
-        shape=asked.shape,
-        prior=None if prior is None else ShapePrior(prior.low, prior.high, kind=prior.kind),
-        seed=asked.seed,
-    )
-    return dumps(found.to_mapping())
+    return run, asking(request, *names, of=of)
 
 
 def _report(asked: ReportRequest) -> dict[str, Any]:
-    from rolamento.pages.report import report_page
-    from rolamento.tasks.report import calculation_report
-
     cases = [_of_list(one, "cases", place) for place, one in enumerate(asked.cases)]
-    found = calculation_report(cases, asked.head)
-    return file_of(report_page(found), found.to_mapping(), asked.format)
+    done = tasks.ReportRequest(case=cases, **asked.head.to_mapping())
+    found = done.run()
+    return file_of(done.page(found), found.found.to_mapping(), asked.format)
 
 
 def _catalogue(given: Mapping[str, str]) -> str:
@@ -382,8 +331,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
             "Natural frequencies, mode shapes, critical speeds and the response to unbalance. As"
             " rolamento rotor MACHINE --json."
         ),
-        _rotor,
-        RotorRequest,
+        *_run(tasks.RotorRequest, "speeds", "shaft", "points", "modes", "orders", "damping"),
         {**_ON_SHAFT, "speeds": "0..6000rpm", "points": 3, "modes": 4},
         has=("schema", "kind", "title", "modes", "campbell", "unbalance_response"),
         seconds=120.0,
@@ -438,8 +386,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
             "Fits of a Weibull distribution to a life test, with bounds, and comparisons of its"
             " groups. As rolamento weibull DATA --json."
         ),
-        _weibull,
-        WeibullRequest,
+        *_run(tasks.LifeTestEvaluation, *_OF_LIFE_TEST, of=LifeTestRequest),
         {"test": {"times": [17.88, 28.92, 33.0, 41.52, 42.12, 45.6], "unit": "Mrev"}},
         has=("schema", "kind"),
         seconds=60.0,

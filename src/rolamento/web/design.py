@@ -11,17 +11,19 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.fields import changed
+from rolamento.case.labels import label_of
 from rolamento.charts.axes_units import read_values, readable_unit
 from rolamento.charts.plotly import picture
 from rolamento.charts.texts import capitalised
 from rolamento.document import Document
 from rolamento.document.html import body
 from rolamento.errors import InputError
-from rolamento.life.sensitivity import CHANGES, sensitivity
+from rolamento.life.sensitivity import CHANGES, holding_load, sensitivity
 from rolamento.pages.across import read_text
 from rolamento.pages.seek import seek_chart, seek_statement
 from rolamento.pages.tolerance import distribution_chart, tolerance_summary
 from rolamento.solution import solve
+from rolamento.solved import Solved
 from rolamento.studies.fields import Field, read_field
 from rolamento.tasks.curve import fields_over, outputs_over
 from rolamento.tasks.report import number_of_field
@@ -56,6 +58,8 @@ _MOST_FIELDS: Final = 8
 def helps(request: Mapping[str, Any]) -> dict[str, Any]:
     """Return what would make the life of a case longer, the most helpful first.
 
+    Where there is no equilibrium, the axial load that gives it one.
+
     Parameters
     ----------
     request
@@ -71,7 +75,7 @@ def helps(request: Mapping[str, Any]) -> dict[str, Any]:
     case = Case.from_mapping(tables)
     solved = solve(case)
     if not solved.converged[0]:
-        return {"trials": []}
+        return {"trials": list(_holding(tables, solved))}
     try:
         found = sensitivity(solved)
     except InputError:  # no life: nothing to make longer
@@ -89,6 +93,23 @@ def helps(request: Mapping[str, Any]) -> dict[str, Any]:
             if isfinite(one.life_ratio)
         ]
     }
+
+
+def _holding(tables: Mapping[str, Any], solved: Solved) -> Iterator[dict[str, Any]]:
+    """The axial load that a bearing without an equilibrium lacks."""
+    force = holding_load(solved)
+    if force is not None:
+        field = "duty.load.fx"
+        text = read_field(field).written(force)
+        yield {
+            "name": "axial_load",
+            "label": capitalised(
+                said("{field} of {load:.2 kN}", field=label_of(field), load=force)
+            ),
+            "times": said("in equilibrium"),
+            "ratio": None,
+            "changes": _valid(tables, {field: text}),
+        }
 
 
 def _changes(case: Case, name: str) -> Iterator[tuple[str, Any]]:

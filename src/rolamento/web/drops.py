@@ -276,14 +276,14 @@ def report_file(
         If a case is not valid, or there is no such kind of file.
     """
     from rolamento.case import Case
-    from rolamento.pages.report import report_page
-    from rolamento.tasks.report import calculation_report
+    from rolamento.tasks import ReportRequest
 
     if form not in REPORTS:
         rule = said("must be one of {known}", known=", ".join(REPORTS))
         raise InputError(rule, field="format", value=form, example="pdf")
-    found = calculation_report([Case.from_mapping(one) for one in cases], head, names=names)
-    return _answer((report_page(found),), found.to_mapping(), "", form)
+    asked = ReportRequest(case=[Case.from_mapping(one) for one in cases], **head, names=names)
+    found = asked.run()
+    return _answer((asked.page(found),), found.found.to_mapping(), "", form)
 
 
 def example_file(kind: str, name: str) -> dict[str, Any]:
@@ -363,18 +363,16 @@ def _labelled(requests: Sequence[type[UseCase]], path: str = "", label: str = ""
         with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
             yield
     except InputError as error:
-        from rolamento.tasks.parameters import renamed
-
         field = error.source if error.source in labels else error.field
-        told = renamed(error, labels, "{}: {}".format)
+        spelled = error.spelled(labels, "{}: {}".format)
         source = "" if error.source in labels else label if error.source == path else error.source
         # an example that is written as in Python is of no use on a page
-        as_typed = field not in known or told.example == error.example
+        as_typed = field not in known or spelled.example == error.example
         raise type(error)(
-            _named(told.rule, path, label),
+            _named(spelled.rule, path, label),
             field=field,
             value=error.value,
-            example=told.example if as_typed else known[field].example,
+            example=spelled.example if as_typed else known[field].example,
             source=source,
             line=error.line,
         ) from None

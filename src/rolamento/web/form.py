@@ -6,7 +6,7 @@ an engineer moves with a slider, is said here.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, Final
 
@@ -14,17 +14,19 @@ from rolamento.analysis import Analysis
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field, fields_of, of_elements
-from rolamento.case.labels import choice_label
+from rolamento.case.labels import LABELS, choice_label, label_of
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.errors import InputError, respelled
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.pages.report import TABLES
 from rolamento.solved.notes import SPEED_LIMIT
 from rolamento.tasks.report import Input
 from rolamento.types import BALL, ROLLER, TYPES
 from rolamento.units import Dimension, from_si, to_si, usual_units
-from rolamento.words import said
+from rolamento.web.answers import written
+from rolamento.words import calling, language, said
 
-__all__ = ["FIRST", "form", "inputs", "likely", "suitable", "units"]
+__all__ = ["FIRST", "form", "in_labels", "inputs", "labelled", "likely", "suitable", "units"]
 
 FIRST: Final = (
     "bearing.designation",
@@ -78,6 +80,36 @@ _USUAL_PART: Final = 0.2
 _OF_MOMENT: Final = 0.05
 """Moment at the end of a slider, over rating and pitch diameter: a load beside the middle."""
 _SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
+
+
+def in_labels(
+    function: Callable[[Mapping[str, Any]], Mapping[str, Any]], asked: Mapping[str, Any]
+) -> str:
+    """Return what a function answers as JSON; fields are called as the page labels them."""
+    with calling(_labels(language())):
+        try:
+            return written(function, asked)
+        except InputError as error:
+            raise labelled(error) from None
+
+
+@cache
+def _labels(_language: str) -> Mapping[str, str]:
+    """What fields are called on the page, by their names, in the language that is spoken."""
+    own = {name: f"“{label_of(name)}”" for name in LABELS if "." in name}
+    return {**own, " (rolamento catalogue show)": ""}  # of the command line
+
+
+def labelled(error: InputError) -> InputError:
+    """Return a refusal that calls the fields beside its own as the page does."""
+    table = error.field.rpartition(".")[0]
+    beside = {
+        name.rpartition(".")[2]: label
+        for name, label in _labels(language()).items()
+        if name.rpartition(".")[0] == table
+    }
+    error.rule = respelled(error.rule, beside)
+    return error
 
 
 def form() -> list[dict[str, Any]]:
@@ -149,8 +181,8 @@ def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
             continue
         offset = to_si(f"0 {unit}", dimension) if dimension == "temperature" else 0.0
         label = unit
-        for written, sign in _SIGNS:
-            label = label.replace(written, sign)
+        for typed, sign in _SIGNS:
+            label = label.replace(typed, sign)
         yield {
             "unit": unit,
             "label": label,

@@ -13,7 +13,6 @@ from rolamento import __version__
 from rolamento.analysis import Analysis
 from rolamento.case import Case
 from rolamento.case.fields import changed
-from rolamento.case.labels import LABELS, label_of
 from rolamento.case.report import ReportHead
 from rolamento.document import Document, Section
 from rolamento.document.html import body
@@ -31,10 +30,10 @@ from rolamento.records import frozen
 from rolamento.solved.notes import nothing_given
 from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
 from rolamento.web.answers import error_object
-from rolamento.web.form import inputs, likely
+from rolamento.web.form import inputs, labelled, likely
 from rolamento.web.pictures import figures
 from rolamento.web.section import section_svg
-from rolamento.words import calling, language, said
+from rolamento.words import language, said
 from rolamento.words.reasons import reason
 
 __all__ = ["MOST_CASES", "live"]
@@ -84,20 +83,6 @@ def live(request: Mapping[str, Any]) -> dict[str, Any]:
             field="cases",
             example='[{"case": {"bearing": {"designation": "6310"}, "duty": {}}, "changes": {}}]',
         )
-    with calling(_labels(language())):
-        return _answered(request, entries, began)
-
-
-@lru_cache(maxsize=8)
-def _labels(_language: str) -> Mapping[str, str]:
-    """What fields are called on the page, by their names, in the language that is spoken."""
-    return {name: f"“{label_of(name)}”" for name in LABELS if "." in name}
-
-
-def _answered(
-    request: Mapping[str, Any], entries: Sequence[object], began: float
-) -> dict[str, Any]:
-    """Answer a request; fields are called as their labels call them."""
     quick = request.get("quick") is True
     told: list[dict[str, Any]] = []
     found: list[_Given | None] = []
@@ -154,7 +139,7 @@ def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
         answer["case"] = mapping = changed(mapping, changes, Case, in_file=True)
         given = _given(json.dumps(mapping, sort_keys=True), quick)
     except InputError as error:
-        return {**answer, "error": error_object(error)}, None
+        return {**answer, "error": error_object(labelled(error))}, None
     solved = given.analysis.solved
     code, advice = str(solved.status.code[0]), solved.advice[0]
     text = reason(code)

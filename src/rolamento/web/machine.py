@@ -36,8 +36,9 @@ from rolamento.errors import InputError
 from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.machine import PICTURES, machine_page, machine_picture, machine_report
 from rolamento.tasks.examples import EXAMPLES, TITLES
-from rolamento.web.answers import answer, error_object, read_json, written
+from rolamento.web.answers import answer, error_object, read_json
 from rolamento.web.drops import REPORTS, as_data, file_of, plain_name, response_of
+from rolamento.web.form import in_labels
 from rolamento.web.limits import SECONDS, by_weight, check_machine, size_of_machine, slow
 from rolamento.words import language, marked, said
 from rolamento.words.reasons import reason
@@ -441,7 +442,7 @@ async def _asked(request: Request) -> Response:
     seconds = 0.0 if size_of_machine(tables).is_fast else SECONDS
     light = request.app.state.hands.run
     return answer(
-        await by_weight(written, function, asked, asked=asked, seconds=seconds, light=light)
+        await by_weight(in_labels, function, asked, asked=asked, seconds=seconds, light=light)
     )
 
 

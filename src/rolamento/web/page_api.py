@@ -23,10 +23,10 @@ from rolamento.pages.report import ORIGINS, PARTS
 from rolamento.tasks.examples import EXAMPLES, TITLES
 from rolamento.tasks.report import inputs_of, names_in
 from rolamento.web import drops
-from rolamento.web.answers import answer, read_json, written
+from rolamento.web.answers import answer, read_json
 from rolamento.web.curves import curve
 from rolamento.web.design import helps, seek, tolerance
-from rolamento.web.form import form, inputs, units
+from rolamento.web.form import form, in_labels, inputs, units
 from rolamento.web.limits import by_weight, fast
 from rolamento.web.live import live
 from rolamento.web.machine import machine_described
@@ -279,7 +279,7 @@ def _asks(
     async def endpoint(request: Request) -> Response:
         asked = await read_json(request)
         light = request.app.state.hands.run if follows else fast
-        return answer(await by_weight(written, function, asked, asked=asked, light=light))
+        return answer(await by_weight(in_labels, function, asked, asked=asked, light=light))
 
     return Route(path, endpoint, methods=["POST"])
 

@@ -47,7 +47,7 @@ WORDS: Final[Mapping[str, str]] = {
     "form.unsaid": marked("{value} (not given)"),
     "form.use": marked("Use {example}"),
     "helps": marked("What would help most"),
-    "helps.try": marked("Try it beside"),
+    "helps.try": marked("Try it"),
     "language": marked("Language"),
     "link.broken": marked("The link holds no case: it is damaged, incomplete or too long."),
     "machine.bent": marked(

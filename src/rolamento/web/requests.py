@@ -26,15 +26,13 @@ from rolamento.case.quantity import Ratio
 from rolamento.case.record import Record
 from rolamento.case.report import ReportHead
 from rolamento.errors import InputError
-from rolamento.rotors import MOST_MODES
 from rolamento.studies.outputs import DEFAULT_OUTPUTS
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.life import MOST_BEARINGS
 from rolamento.tasks.report import MOST_CASES
 from rolamento.tasks.request import Request as UseCase
-from rolamento.tasks.rotor import MOST_ORDERS
 from rolamento.web.limits import check_machine
-from rolamento.weibull.life_test import MAXIMUM_ROWS
+from rolamento.weibull.life_test import MAXIMUM_ROWS, LifeTest
 from rolamento.words import said
 
 __all__ = [
@@ -42,10 +40,9 @@ __all__ = [
     "BatchRequest",
     "CaseRequest",
     "LifeRequest",
+    "LifeTestRequest",
     "MachineRequest",
     "ReportRequest",
-    "RotorRequest",
-    "WeibullRequest",
     "asking",
 ]
 
@@ -81,7 +78,6 @@ class TablesOf:
 
 Text = Annotated[str, Field(strict=True, max_length=_LONGEST)]
 Number = Annotated[float, Ratio()]
-Share = Annotated[float, Ratio(above=0.0, at_most=1.0)]
 Flag = Annotated[bool, Field(strict=True)]
 
 
@@ -119,6 +115,10 @@ class CaseRequest(Record):
         default_factory=dict, max_length=_MOST_SETTINGS, examples=[_SETTINGS]
     )
 
+    def subject(self, *, needs_load: bool = True) -> dict[str, Any]:
+        """Return what a use case of a case is of, by the name of its field."""
+        return {"case": self.to_case(needs_load=needs_load)}
+
     def to_case(self, *, needs_load: bool = True) -> Case:
         """Return the case.
 
@@ -145,27 +145,6 @@ class CaseRequest(Record):
             rule = said("is missing: nothing loads the bearing")
             raise InputError(rule, field="duty.load", example='{"duty.load.fz": "5 kN"}')
         return case if case.title else case.replace(title=self.designation.strip())
-
-
-def asking(request: type[UseCase], *names: str) -> type[CaseRequest]:
-    """Return a record of a case, and of what else a use case is given.
-
-    Parameters
-    ----------
-    request
-        The use case.
-    names
-        Of its fields that it may be given here.
-    """
-    inputs, means = request.inputs(), request.meanings()
-    fields: dict[str, Any] = {}
-    for name in names:
-        one, default = inputs[name], request.model_fields[name].default
-        shown = Field(default, description=means[name], examples=[one.example])
-        fields[name] = (Annotated[Any, one], shown)
-    of_case = (CaseRequest.__doc__ or "").partition("\n\n")[2]
-    doc = f"{request.summary()}\n\n{inspect.cleandoc(of_case)}"
-    return create_model(request.__name__, __base__=CaseRequest, __doc__=doc, **fields)
 
 
 class BatchRequest(CaseRequest):
@@ -252,6 +231,10 @@ class MachineRequest(Record):
         default_factory=dict, max_length=_MOST_SETTINGS, examples=[{"loads.0.fz": "-3 kN"}]
     )
 
+    def subject(self, *, needs_load: bool = True) -> dict[str, Any]:
+        """Return what a use case of a machine is of, by the name of its field."""
+        return {"machine": self.to_machine()}
+
     def to_machine(self) -> Machine:
         """Return the machine.
 
@@ -265,39 +248,28 @@ class MachineRequest(Record):
         return machine
 
 
-class RotorRequest(MachineRequest):
-    """A machine of which vibration is to be found.
+def asking(request: type[UseCase], *names: str, of: type[Record] | None = None) -> type[Any]:
+    """Return a record of what a use case is of, and of what else it is given.
 
     Parameters
     ----------
-    machine
-        The tables of a machine file.
-    settings
-        Values over the machine, by their dotted names; null takes one away.
-    speeds
-        Of a shaft, such as "0..6000rpm"; to 1.5 times its own by default.
-    shaft
-        Whose speeds; the first that turns by default.
-    points
-        Number of speeds.
-    modes
-        Number of modes.
-    orders
-        Of the rotation, at which critical speeds are sought.
-    damping
-        Damping over stiffness, in s.
+    request
+        The use case.
+    names
+        Of its fields that it may be given here.
+    of
+        What it is of; a case or a machine, whichever it takes, if not given.
     """
-
-    speeds: Text | None = Field(None, examples=["0..6000rpm"])
-    shaft: Text | None = Field(None, examples=["shaft"])
-    points: int = Field(40, strict=True, ge=2, le=100, examples=[40])
-    modes: int = Field(8, strict=True, ge=1, le=MOST_MODES, examples=[8])
-    orders: tuple[Annotated[float, Ratio(above=0.0, at_most=1e4)], ...] = Field(
-        (1.0,), min_length=1, max_length=MOST_ORDERS, examples=[[1.0, 2.0]]
-    )
-    damping: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] | None = Field(
-        None, examples=[1e-5]
-    )
+    base = of or (CaseRequest if request.takes_case else MachineRequest)
+    inputs, means = request.inputs(), request.meanings()
+    fields: dict[str, Any] = {}
+    for name in names:
+        one, default = inputs[name], request.model_fields[name].default
+        shown = Field(default, description=means[name], examples=[one.example])
+        fields[name] = (Annotated[Any, one], shown)
+    of_subject = (base.__doc__ or "").partition("\n\n")[2]
+    doc = f"{request.summary()}\n\n{inspect.cleandoc(of_subject)}"
+    return create_model(request.__name__, __base__=base, __doc__=doc, **fields)
 
 
 class LifeTestTable(Record):
@@ -338,6 +310,16 @@ class LifeTestTable(Record):
     unit: Text = Field("h", examples=["h"])
     title: Text = Field("", examples=["Lot A"])
 
+    def to_test(self) -> LifeTest:
+        """Return the life test."""
+        names = ("failed", "counts", "group", "rig", "mode")
+        given: dict[str, Any] = {
+            name: one for name in names if (one := getattr(self, name)) is not None
+        }
+        if self.lower is not None:
+            given["lower"] = [float("nan") if one is None else one for one in self.lower]
+        return LifeTest(self.times, **given, unit=self.unit, title=self.title)
+
 
 class PriorShape(Record):
     """What was known of the shape before the test.
@@ -354,8 +336,12 @@ class PriorShape(Record):
     high: Annotated[float, Ratio(above=0.0)] = Field(examples=[2.5])
     kind: Literal["lognormal", "uniform"] = "lognormal"
 
+    def to_text(self) -> str:
+        """Return it as it is typed."""
+        return f"{'uniform:' * (self.kind == 'uniform')}{self.low!r}..{self.high!r}"
 
-class WeibullRequest(Record):
+
+class LifeTestRequest(Record):
     """A life test, and what is to be found of it.
 
     Parameters
@@ -364,59 +350,28 @@ class WeibullRequest(Record):
         The lives.
     methods
         Of fitting: ml, unbiased, rrx, rry, three-parameter; by default the first four.
-    bounds
-        Method of the bounds, such as "pivotal"; by default one that is exact with few failures.
-    confidence
-        Of the bounds.
-    sides
-        Of the bounds.
-    reliabilities
-        To give lives for, 0.9 for L10; a calculated life is for the first.
-    times
-        To give the reliability at: numbers in the unit of the test, or text with another.
     calculated
-        Calculated lives to compare with the data, by their names, likewise.
-    shape
-        From experience: then only the scale is fitted.
+        Calculated lives to compare with the data, by their names: numbers in the unit of the test,
+        or text with another.
     prior
         What was known of the shape: gives a posterior as well.
-    by_group
-        Each group by itself, and compared; or all together.
-    only
-        Groups to keep; all if none is named.
-    by_mode
-        Each failure mode by itself, the others as suspensions, and put together; or all alike.
-    only_mode
-        Failure mode to keep: failures by others are suspensions.
-    models
-        Other distributions beside; by default where the data contradict Weibull's.
-    samples
-        Tests to simulate; by default 10 000, fewer of large tests.
-    seed
-        That they are drawn with.
     """
 
     test: LifeTestTable = Field(examples=[{"times": _LIVES, "unit": "h"}])
     methods: tuple[Text, ...] = Field((), max_length=10, examples=[["ml", "unbiased"]])
-    bounds: Text | None = Field(None, examples=["pivotal"])
-    confidence: Share = Field(0.9, examples=[0.9])
-    sides: Literal["two", "lower", "upper"] = "two"
-    reliabilities: tuple[Share, ...] = Field(
-        (0.9, 0.5), min_length=1, max_length=_MOST_NUMBERS, examples=[[0.9, 0.5]]
-    )
-    times: tuple[Time, ...] = Field((), max_length=_MOST_NUMBERS, examples=[["100 h"]])
     calculated: dict[Text, Time] = Field(
         default_factory=dict, max_length=8, examples=[{"ISO 281": "58 h"}]
     )
-    shape: Annotated[float, Ratio(above=0.0)] | None = Field(None, examples=[1.5])
     prior: PriorShape | None = Field(None, examples=[{"low": 1.0, "high": 2.5}])
-    by_group: Flag = True
-    only: tuple[Text, ...] = Field((), max_length=_MOST_NUMBERS)
-    by_mode: Flag = True
-    only_mode: Text | None = Field(None, examples=["fatigue"])
-    models: Flag | None = None
-    samples: int | None = Field(None, strict=True, ge=100, le=100_000, examples=[10_000])
-    seed: int = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[0])
+
+    def subject(self, *, needs_load: bool = True) -> dict[str, Any]:
+        """Return what the use case is given, by the names of its fields."""
+        return {
+            "data": self.test.to_test(),
+            "method": self.methods,
+            "calculated": [f"{name}={life}" for name, life in self.calculated.items()],
+            "prior": None if self.prior is None else self.prior.to_text(),
+        }
 
 
 class ReportRequest(Record):

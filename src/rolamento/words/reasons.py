@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 from rolamento.words.speaking import marked, said
 
-__all__ = ["reason"]
+__all__ = ["reason", "why_not"]
 
 _REASONS: Final = {
     "no_equilibrium": marked("there is no equilibrium"),
@@ -22,3 +22,12 @@ _REASONS: Final = {
 def reason(code: str) -> str:
     """Say why a status of this code has no result; the code where that is not known."""
     return said(_REASONS[code]) if code in _REASONS else code
+
+
+def why_not(solved: Any, *, advised: bool = False) -> str:
+    """Say why a solved case has no result; "" if it has one. advised: and what to do."""
+    if solved.converged[0]:
+        return ""
+    advice = solved.advice[0] if advised else None
+    parts = (reason(str(solved.status.code[0])), "" if advice is None else advice.text)
+    return ": ".join(part for part in parts if part)

@@ -20,7 +20,7 @@ import numpy as np
 
 import rolamento
 from rolamento.case.duty import AXES, LOADS
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.exchange.tables import COLUMNS, about, identifiers
 from rolamento.numerics import FloatArray
 from rolamento.solved.maps import StiffnessMap
@@ -75,18 +75,18 @@ def fmu_bytes(
         If there is no such version, the map is over two fields, or a point has no equilibrium.
     """
     if version not in VERSIONS:
-        raise InputError(said("must be one of {known}", known="2, 3"), field="--fmi",
-                         value=version, example="--fmi 3")  # fmt: skip
+        raise InputError(said("must be one of {known}", known="2, 3"), field="fmi",
+                         value=version, example=arguments(fmi=3))  # fmt: skip
     if len(given.axes) > 1:
         raise InputError(
-            said("can be given once: the element goes over one field"), field="--over",
+            said("can be given once: the element goes over one field"), field="over",
             value=given.axes[1].field,
         )  # fmt: skip
     if not given.converged:
         status = str(given.status[given.status != "converged"][0])
         raise InputError(
             said("has points without an equilibrium ({status}); give another range", status=status),
-            field="--over", value=given.name,
+            field="over", value=given.name,
         )  # fmt: skip
     one = given.rising()
     values = one.axes[0].values

@@ -19,7 +19,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.case.parameters import RollerParameters
-from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, RollerBearing
+from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, RollerBearing, axis_angle
 from rolamento.contact.coupled import body_term, influence_table, scratch
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
@@ -193,9 +193,9 @@ def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: 
     diameter, pitch = column(bearing.roller_diameter), column(bearing.pitch_diameter)
     length = column(bearing.effective_length)
     whole = length if bearing.roller_length is None else column(bearing.roller_length)
-    outer = column(0.0 if bearing.contact_angle is None else bearing.contact_angle)
     half = column(bearing.roller_half_angle if tapered else 0.0)
-    axis = outer - half
+    axis = column(axis_angle(bearing))
+    outer = axis + half
     given = bearing.rib_height
     height = USUAL_RIB_HEIGHT * diameter if given is None else column(given)
     epsilon, arm = _rib_normal(bearing, diameter, whole, half, height, tapered)
@@ -311,7 +311,8 @@ def _cut(
 
     def drops_of(body: str) -> FloatArray:
         try:
-            return drop(getattr(bearing, f"{body}_profile"), place, tapered=tapered, **sizes)
+            own = getattr(bearing, f"{body}_profile")
+            return drop(own, place, tapered=bearing.bearing_type.crowned_whole, **sizes)
         except InputError as error:
             name = f"bearing.{body}_profile.{error.field}"
             raise error.with_details(field=name) from None

@@ -13,6 +13,7 @@ from rolamento.case.duty import AXES, LOADS
 from rolamento.numerics import BoolArray
 from rolamento.types import BearingType
 from rolamento.words import Note
+from rolamento.words.naming import of_element
 
 if TYPE_CHECKING:
     from rolamento.solved.result import Solved
@@ -124,7 +125,8 @@ def free_directions(solved: Solved) -> Iterator[Note]:
         free[3:] = False  # see free_tilt
     if solved.rollers is not None and all(one.floats for one in solved.case.bearing.row_types):
         free[0] = False  # cylindrical rollers let a shaft shift: that is what they are for
-    if solved.rollers is not None and solved.case.bearing.bearing_type.washers:
+    kind = solved.case.bearing.bearing_type
+    if kind.straight and kind.washers:
         free[1:3] = False  # flat washers do not hold each other
     arm = 0.5 * float(solved.rows.pitch_diameter[0, 0])
     arms = np.array([1.0, 1.0, 1.0, arm, arm])
@@ -193,7 +195,8 @@ def radial_load_on_thrust(solved: Solved) -> Iterator[Note]:
     """A radial load on a bearing whose grooves are for an axial one."""
     radial, axial = given_forces(solved)
     if is_washers(solved.case) and radial > RADIAL_SHARE * abs(axial):
-        yield Note("thrust_under_radial_load", {"radial": radial, "axial": axial})
+        note = Note("thrust_under_radial_load", {"radial": radial, "axial": axial})
+        yield of_element(note, solved.case.bearing.bearing_type.rolls)
 
 
 # --- what notes ask -------------------------------------------------------------------------------

@@ -56,6 +56,7 @@ export function fillIn(root) {
 export function setHtml(element, html) {
   element.innerHTML = html.replaceAll(' style="', ' data-style="');
   for (const one of element.querySelectorAll("[data-style]")) one.style.cssText = one.dataset.style;
+  for (const one of element.querySelectorAll("figure")) one.tabIndex = 0; // it may scroll
 }
 
 /** Make an element: properties, `on…` listeners, attributes with a dash or role; then children. */

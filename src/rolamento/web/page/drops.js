@@ -2,10 +2,14 @@
 // file comes described from the server (tasks/asked.py); what is found is shown as the server set it.
 
 import { download, make, Refused, setHtml, Silent } from "./ask.js";
+import { inMark } from "./units.js";
 
 const METHODS = { signal: ["PUT", "/page/signal"], weibull: ["PUT", "/page/weibull"], plan: ["POST", "/page/weibull/plan"] };
 const LABELS = { html: "HTML", pdf: "PDF", md: "Markdown", txt: "TXT", csv: "CSV", xlsx: "XLSX", json: "JSON" };
+const NUMBERS = ["fraction", "number", "numbers", "list"]; // kinds of fields
 const MOST_SHOWN = 200_000; // bytes of a table that is shown where it can be edited
+
+const written = ({ kind }, text) => (NUMBERS.includes(kind) ? inMark(text) : text);
 
 /** Make the page of one kind ("signal" or "weibull") inside root. */
 export function startDrops(root, kind, described, tools) {
@@ -114,8 +118,8 @@ class Drop {
       control = make("input", { id, type: "checkbox", defaultChecked: one.default === "true" });
       read = () => [String(control.checked)];
     } else {
-      control = make("input", { id, type: "text", defaultValue: one.default, autocomplete: "off", spellcheck: false,
-        placeholder: one.example, inputMode: one.kind === "count" ? "numeric" : "text" });
+      control = make("input", { id, type: "text", defaultValue: written(one, one.default), autocomplete: "off", spellcheck: false,
+        placeholder: written(one, one.example), inputMode: one.kind === "count" ? "numeric" : "text" });
       read = () => [control.value];
     }
     control.setAttribute("aria-describedby", `${help.id} ${error.id}`);
@@ -175,7 +179,7 @@ class Drop {
     const [, path] = METHODS[this.kind];
     const query = new URLSearchParams({ lang: this.lang });
     for (const [name, { one, read }] of this.fields) {
-      const usual = one.default || (one.kind === "switch" ? "false" : "");
+      const usual = written(one, one.default) || (one.kind === "switch" ? "false" : "");
       for (const text of read()) if (text.trim() && text !== usual) query.append(name, text);
     }
     const current = this.kind === "signal" && !query.has("bearing") ? this.currentCase() : null;

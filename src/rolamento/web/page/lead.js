@@ -130,7 +130,7 @@ export function makeLead({ fields, change, current, names }) {
   function askHelps() {
     clearTimeout(timer);
     const slot = current();
-    if (!slot || slot.error || !slot.status?.converged || slot.status.unloaded) {
+    if (!slot?.status || slot.error || slot.status.unloaded) {
       $("helps").hidden = true;
       asked = "";
       return;
@@ -155,7 +155,7 @@ export function makeLead({ fields, change, current, names }) {
         const can = Object.keys(one.changes).length > 0;
         return make("li", {}, make("span", { textContent: one.label }),
           make("span", { className: `times ${one.ratio > 1.005 ? "" : "less"}`, textContent: one.times }),
-          can ? make("button", { type: "button", className: "button", textContent: say("helps.try"), "aria-label": `${say("helps.try")}: ${one.label}`, onclick: () => change(one.changes, true) }) : make("span"));
+          can ? make("button", { type: "button", className: "button", textContent: say("helps.try"), "aria-label": `${say("helps.try")}: ${one.label}`, onclick: () => change(one.changes, slot.status.converged) }) : make("span"));
       }));
     }, REST);
   }

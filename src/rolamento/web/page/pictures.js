@@ -1,11 +1,13 @@
 // Pictures: drawn by Plotly when they are seen, and redrawn in the frame that follows an answer.
 //
 // A full drawing takes Plotly some 10 ms. While a slider moves the frame around the lines stays as
-// it is, so their paths alone are set anew (`trace`), and Plotly draws all when it has come to rest.
+// it is as long as they fit, so their paths alone are set anew (`trace`), and Plotly draws all when
+// it has come to rest.
 
 import { make, remember, remembered, say } from "./ask.js";
 
 const REST = 200; // ms without a new picture, after which Plotly draws what was only traced
+const LEAST_FILLED = 0.3; // of an axis, by what moves
 const BUDGET = 9; // ms of a frame for full drawings; what is left over waits for the next
 const DASHES = { dash: "6 4", dot: "2 3", dashdot: "7 3 2 3", longdash: "10 4", longdashdot: "10 3 2 3" };
 const MARKS = { circle: "M12.5 6a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0", square: "M13 3h6v6h-6z", diamond: "M16 2l4 4-4 4-4-4z",
@@ -149,7 +151,7 @@ function draw() {
 /** Draw a figure's next picture by tracing alone, if only its numbers differ from the last. */
 function traced(own) {
   const picture = own.next;
-  if (picture.anew || picture.empty || !own.frame || own.frame !== frameOf(picture) || !trace(own.plot, picture.data)) return false;
+  if (picture.anew || picture.empty || own.frame !== frameOf(picture) || !fits(own.ends, endsOf(picture)) || !trace(own.plot, picture.data)) return false;
   own.next = null;
   own.rough = true;
   clearTimeout(resting);
@@ -169,7 +171,7 @@ function drawn(own) {
   const picture = own.next;
   own.next = null;
   own.rough = false;
-  own.frame = picture.empty ? "" : frameOf(picture);
+  Object.assign(own, picture.empty ? { frame: "" } : { frame: frameOf(picture), ends: endsOf(picture) });
   told(own, picture);
   if (picture.empty) {
     Plotly.purge(own.plot);
@@ -184,9 +186,14 @@ function drawn(own) {
 
 const isLine = ({ type, mode }) => type.startsWith("scatter") && mode !== "markers";
 
-/** What stands around the numbers of a picture: where two are alike, tracing is enough. */
+/** What stands around the numbers of a picture but how far its axes go: where two are alike, tracing is enough. */
 const frameOf = ({ data, layout }) => JSON.stringify([layout, data.map((one) => isLine(one)
-  ? { ...one, x: one.x?.length, y: one.y?.length, r: one.r?.length, theta: one.theta?.length } : one)]);
+  ? { ...one, x: one.x?.length, y: one.y?.length, r: one.r?.length, theta: one.theta?.length } : one)], (name, one) => (["range", "dtick", "angle"].includes(name) ? null : one));
+
+const endsOf = ({ layout: { polar, ...axes } }) => Object.values({ ...axes, ...polar }).map((one) => one?.range).filter(Array.isArray);
+
+/** Whether what goes so far can be seen on axes that were drawn, and fills a fair part of them. */
+const fits = (drawn, ends) => ends.every(([low, high], n) => low >= drawn[n][0] && high <= drawn[n][1] && high - low > LEAST_FILLED * (drawn[n][1] - drawn[n][0]));
 
 function told(own, picture) {
   own.now = picture;
@@ -296,7 +303,7 @@ function layoutOf(given, { offsetWidth: width, offsetHeight: height }, data) {
   if (layout.polar) {
     const round = { gridcolor: colour("line"), linecolor: colour("grey"), exponentformat: "none", separatethousands: true };
     layout.polar = { bgcolor: "rgba(0,0,0,0)", angularaxis: { ...round, ...layout.polar.angularaxis },
-      radialaxis: { ...round, ...layout.polar.radialaxis, title: { text: "" } } };
+      radialaxis: { ...round, tickfont: { size: 10 }, ...layout.polar.radialaxis, title: { text: "" } } };
   }
   return {
     autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: colour("paper"), plot_bgcolor: "rgba(0,0,0,0)",

@@ -39,6 +39,9 @@ export function shown(number, digits = 7) {
   return String(Number(number.toPrecision(digits))).replace(".", mark);
 }
 
+/** A text of numbers as people here write them. */
+export const inMark = (text) => text.replace(/(?<=\d)\.(?=\d)/g, mark);
+
 /**
  * What a person typed, its number with a decimal point as files have it.
  * `doubt`: {decimal, whole} where a point may part thousands in this language.

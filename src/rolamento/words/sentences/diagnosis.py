@@ -634,7 +634,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "frequencies_of_estimated_geometry": marked(
         "The internal geometry was estimated from the load ratings: another geometry has other"
-        " frequencies (see rolamento frequencies)."
+        " frequencies."
     ),
     "speed_not_found": marked(
         "From {start:.4} to {end:.4 s} the shaft does not stand out from the vibration's noise,"

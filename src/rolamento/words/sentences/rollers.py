@@ -181,7 +181,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "tapered_unsupported_axially": marked(
         "Nothing supports the inner ring toward {away}: a tapered roller bearing carries axial load"
         " toward {toward} only, and a radial load needs an accompanying axial load (about"
-        " fz/(2 Y)). Reverse the load, add axial load (duty.load.fx), choose an arrangement with"
+        " F_r/(2 Y)). Reverse the load, add axial load (duty.load.fx), choose an arrangement with"
         ' opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
     ),
     "tapered_free_to_tilt": marked(

@@ -430,11 +430,19 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "gyroscopic_moment_not_held": _gyroscopic_moment_not_held,
     "four_point_under_radial_load": _four_point_under_radial_load,
-    "thrust_under_radial_load": marked(
-        "A thrust ball bearing is for axial load alone (makers' catalogues): the radial load of"
-        " {radial:.4 N} shifts its washers until the balls climb the grooves, and the state shown"
-        " is what ideal grooves would give. Let another bearing carry the radial load, and hold"
-        " this one with duty.displacement.y and duty.displacement.z."
+    "thrust_under_radial_load": by_element(
+        marked(
+            "A thrust ball bearing is for axial load alone (makers' catalogues): the radial load of"
+            " {radial:.4 N} shifts its washers until the balls climb the grooves, and the state"
+            " shown is what ideal grooves would give. Let another bearing carry the radial load,"
+            " and hold this one with duty.displacement.y and duty.displacement.z."
+        ),
+        marked(
+            "A tapered roller thrust bearing is for axial load alone: its conical washers hardly"
+            " resist the radial load of {radial:.4 N}, which shifts them far. Let another bearing"
+            " carry the radial load, and hold this one with duty.displacement.y and"
+            " duty.displacement.z."
+        ),
     ),
     "tilt_beyond_self_aligning": marked(
         "The inner ring tilts by {tilt:.2f °}: self-aligning ball bearings permit about"
@@ -512,9 +520,9 @@ SENTENCES: Final[dict[str, Sentence]] = {
             " 72."
         ),
         marked(
-            "A cylindrical roller thrust bearing carries no radial load: its washers are flat, and"
-            " nothing resists the {radial:.4 N} given here. Let a radial bearing on the shaft carry"
-            " it, and hold this one with duty.displacement.y and duty.displacement.z."
+            "A roller thrust bearing carries no radial load: flat washers do not resist the"
+            " {radial:.4 N} given here, and conical ones hardly do. Let a radial bearing on the"
+            " shaft carry it, and hold this one with duty.displacement.y and duty.displacement.z."
         ),
     ),
     "thrust_unsupported": by_element(
@@ -524,10 +532,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
             " the load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
         ),
         marked(
-            "Nothing supports the shaft washer along x: a cylindrical roller thrust bearing carries"
-            " axial load of the shaft toward +x only, and no radial load. Reverse the load, add"
-            " axial load (duty.load.fx), or hold the washer with duty.displacement.x; let a radial"
-            " bearing on the shaft carry a radial load."
+            "Nothing supports the shaft washer along x: a roller thrust bearing carries axial load"
+            " of the shaft toward +x only, and no radial load. Reverse the load, add axial load"
+            " (duty.load.fx), or hold the washer with duty.displacement.x; let a radial bearing on"
+            " the shaft carry a radial load."
         ),
     ),
     "thrust_pushed_aside": by_element(
@@ -581,14 +589,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "unsupported_one_sided": _unsupported_one_sided,
     "unsupported_axially": marked(
         "Nothing supports the inner ring toward -x: an angular contact bearing carries axial load"
-        " toward +x only, and a radial load needs an accompanying axial load (about fz tan(contact"
-        " angle)). Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
+        " toward +x only, and a radial load needs an accompanying axial load (about F_r tan α)."
+        " Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
         " duty.displacement.x."
     ),
     "unsupported_tandem": marked(
         "Nothing supports the inner ring toward {away}: all rows carry axial load toward {toward}"
-        " only, and a radial load needs an accompanying axial load in every row (about fz"
-        " tan(contact angle)). Reverse the load, add axial load (duty.load.fx), choose an"
+        " only, and a radial load needs an accompanying axial load in every row (about F_r"
+        " tan α). Reverse the load, add axial load (duty.load.fx), choose an"
         ' arrangement with opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
     ),
     "shoulder_lost": marked(
@@ -604,7 +612,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "springs_weak": marked(
         "Springs of {spring:.4 N} do not keep the balls of every row in place: in each row a radial"
-        " load needs an accompanying axial load (about fz tan(contact angle)), and a moment needs"
+        " load needs an accompanying axial load (about F_r tan α), and a moment needs"
         " more. Choose stronger springs, clamp the rings (bearing.preload.force), reduce the radial"
         " load or the moment, or hold the tilts."
     ),
