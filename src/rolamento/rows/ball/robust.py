@@ -290,7 +290,7 @@ def solve_robust(one: OneCase, start: float) -> tuple[bool, int, int, float]:
     damping, nearest, reach = 0.0, np.inf, np.inf
     if one.moving and ring.b.shape[0] > 0:
         fill(one)
-    settled, greatest, cage, behind = evaluate(one, start, 1.0)
+    settled, greatest, cage, behind = evaluate(one, start, 0.0)
     for iteration in range(1, RING_STEPS + 1):
         error, scale = _unbalance(p, case, ring.reaction, greatest, unbalanced)
         balanced = settled and error <= PRECISION * scale
