@@ -20,7 +20,7 @@ from rolamento.vibration.synthesis import synthesise
 from rolamento.vibration.writing import write_signal
 
 _ROOT = Path(__file__).parents[1]
-_LIBRARIES = "numpy, pydantic.main, rich.console, typer"
+_LIBRARIES = "numpy, pydantic.main, typer"
 
 
 def measure(runs: int) -> Findings:
@@ -35,6 +35,8 @@ def measure(runs: int) -> Findings:
     for name, file, target in (("218 example", example.name, 0.8), ("pair", "6012_pair.toml", 0.6)):
         solve = [*command, "solve", str(example.with_name(file))]
         findings.add(_measure(f"rolamento solve, {name}", solve, runs, target))
+    named = [*command, "solve", "6310/C3", "--fr", "5 kN", "--speed", "3000 rpm"]
+    findings.add(_measure("rolamento solve, 6310/C3", named, runs, 0.25))
     life = [*command, "life", str(example.with_name("6305_life.toml"))]
     findings.add(_measure("rolamento life, 6305", life, runs, None))
     for libraries in (_LIBRARIES, f"{_LIBRARIES}, numba"):

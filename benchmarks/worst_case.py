@@ -97,14 +97,14 @@ def _times(case: rolamento.Case, duties: dict[str, Floats]) -> tuple[Floats, int
     solution = solve_columns(p, control, balls, threads=1)
     whole = time.process_time() - begin
     own, lost = np.zeros(p.cases), 0
-    for index in np.flatnonzero(solution.safe):
+    for index in np.flatnonzero(solution.safe_path):
         column = p.of([index])
         begin = time.process_time()
         solve_columns(column, control, balls, threads=1)
         own[index] = time.process_time() - begin
-        if solution.code[index] == status.NOT_CONVERGED:
+        if solution.number[index] == status.NOT_CONVERGED:
             again = solve_columns(column, control, balls, threads=1, most_work=10.0 * MOST_WORK)
-            lost += int(again.code[0] == status.CONVERGED)
-    fast = ~solution.safe
+            lost += int(again.number[0] == status.CONVERGED)
+    fast = ~solution.safe_path
     own[fast] = max(whole - own.sum(), 0.0) / max(np.count_nonzero(fast), 1)
     return own, lost

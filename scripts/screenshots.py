@@ -74,10 +74,23 @@ def case(page: Page) -> None:
     _example(page, "6310_motor")
 
 
-def first(page: Page) -> None:
+def roller(page: Page) -> None:
+    """A bearing with rollers is open."""
+    _example(page, "nu205_gear")
+
+
+def lost(page: Page) -> None:
+    """A radial load has no axial load beside it."""
+    first(page, "7210 B")
+    page.locator("#first input[name='duty.load.fz']").fill("4 kN")
+    page.locator("#first button").click()
+    page.locator("#helps button").wait_for(timeout=1000.0 * _PATIENCE)
+
+
+def first(page: Page, designation: str = "7014 C/HCP4A DBA") -> None:
     """A bearing is open of which nothing but its designation is known."""
-    page.get_by_label("Designation or dimensions").fill("7014 C/HCP4A DBA")
-    page.locator("#found .best").click()
+    page.get_by_label("Designation or dimensions").fill(designation)
+    page.get_by_label("Designation or dimensions").press("Enter")
     page.locator("#first").wait_for(timeout=1000.0 * _PATIENCE)
 
 
@@ -154,6 +167,8 @@ PICTURES: Final = {
     "open": (opening, 1200, 820),
     "first": (first, 1200, 820),
     "case": (case, 1200, 820),
+    "roller": (roller, 1200, 820),
+    "lost": (lost, 1200, 620),
     "seek": (seek, 1200, 820),
     "tolerance": (tolerance, 1200, 820),
     "compare": (compare, 1200, 820),

@@ -194,7 +194,7 @@ def _running(machines: Sequence[Machine], index: int, given: Case | None = None)
     if case.model.raceway_control == "friction" or case.model.needs_film:
         raise InputError(
             said("is for a bearing alone, not for one in a machine"),
-            field=f"{field}.model.{case.model.film_field or 'raceway_control'}",
+            field=f"{field}.{case.model.film_field or 'model.raceway_control'}",
             example='raceway_control = "jones"',
         )
     inner, outer = bearing.shaft, bearing.outer_shaft

@@ -3,15 +3,22 @@
 `frozen` makes a frozen dataclass with slots. What a record prints is for a person at a prompt: a
 small one stands on one line as a dataclass does; of a large one each field has a line, an array its
 range and shape, and a record within it its beginning. Nothing reads it back.
+
+A command makes some 140 classes of records before its first answer. `dataclasses` writes five
+methods for each and has them compiled in every process; here that is one, ``__init__``, and what
+refuses a change, compares and copies is the same for all (decision 53).
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
+from functools import partial
 from math import isfinite, nan
 from numbers import Number
-from typing import Any, Final, TypeVar, dataclass_transform, overload
+from operator import attrgetter
+from typing import Any, Final, NoReturn, TypeVar, dataclass_transform, overload
 
 __all__ = ["concise", "frozen", "span"]
 
@@ -39,14 +46,100 @@ def frozen(cls: type[T] | None = None, /, **options: bool) -> Any:
         The class; options are those of `dataclasses.dataclass`. ``eq=False`` for what holds
         arrays, ``slots=False`` for what caches a property.
     """
+    return partial(_frozen, **options) if cls is None else _frozen(cls, **options)
 
-    def made(cls: type[T]) -> type[T]:
-        if "__repr__" not in vars(cls):
-            setattr(cls, "__repr__", concise)  # noqa: B010
-        chosen: dict[str, Any] = {"slots": True, **options}
-        return dataclass(frozen=True, repr=False, **chosen)(cls)
 
-    return made if cls is None else made(cls)
+def _frozen(
+    cls: type[Any], /, eq: bool = True, kw_only: bool = False, slots: bool = True, init: bool = True
+) -> Any:
+    own = frozenset(vars(cls))
+    made: Any = dataclass(init=False, repr=False, eq=False, kw_only=kw_only, slots=slots)(cls)
+    methods = {"__repr__": concise, "__setattr__": _refused, "__delattr__": _refused}
+    if init:
+        methods["__init__"] = _init_of(made)
+    if eq:
+        methods["__eq__"], methods["__hash__"] = _comparison_of(made)
+    if slots:
+        methods |= {"__getstate__": _state, "__setstate__": _set_state}
+    for name, method in methods.items():
+        if name not in own:
+            setattr(made, name, method)
+    return made
+
+
+def _refused(self: object, name: str, value: object = None) -> NoReturn:
+    raise FrozenInstanceError(f"field {name!r} of a {type(self).__name__} does not change")
+
+
+def _state(self: Any) -> list[Any]:
+    return [getattr(self, one.name) for one in fields(self)]
+
+
+def _set_state(self: Any, state: list[Any]) -> None:
+    for one, value in zip(fields(self), state, strict=True):
+        object.__setattr__(self, one.name, value)
+
+
+def _comparison_of(cls: Any) -> tuple[Callable[..., Any], Callable[..., Any]]:
+    """Return what compares two records of one class by their fields, and what hashes one."""
+    compared = _getter([one.name for one in fields(cls) if one.compare])
+    kept = _getter([
+        one.name for one in fields(cls) if (one.compare if one.hash is None else one.hash)
+    ])  # fmt: skip
+
+    def equal(self: object, other: object) -> Any:
+        same = other.__class__ is self.__class__
+        return compared(self) == compared(other) if same else NotImplemented
+
+    def hashed(self: object) -> int:
+        return hash(kept(self))
+
+    return equal, hashed
+
+
+def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
+    if len(names) > 1:  # else `attrgetter` gives no tuple
+        return attrgetter(*names)
+    return lambda record: tuple(getattr(record, name) for name in names)
+
+
+class _Made:
+    """Stands in a signature for what is made anew for every record."""
+
+    def __repr__(self) -> str:
+        return "<made>"
+
+
+def _init_of(cls: Any) -> Callable[..., None]:
+    """Write the ``__init__`` of a record: what a dataclass has, in one piece of code."""
+    known: dict[str, Any] = {"_set": object.__setattr__, "_made": _Made()}
+    by_place: list[str] = []
+    by_name: list[str] = []
+    lines = []
+    for one in fields(cls):
+        parameter = value = one.name
+        if one.default_factory is not MISSING:
+            known[f"_make_{value}"] = one.default_factory
+            parameter = f"{value}=_made"
+            value = f"_make_{value}() if {value} is _made else {value}"
+        elif one.default is not MISSING:
+            known[f"_default_{value}"] = one.default
+            parameter = f"{value}=_default_{value}"
+        (by_name if one.kw_only else by_place).append(parameter)
+        lines.append(f"_set(self, {one.name!r}, {value})")
+    if hasattr(cls, "__post_init__"):
+        lines.append("self.__post_init__()")
+    parameters = ", ".join(("self", *by_place, *(("*", *by_name) if by_name else ())))
+    body = "\n  ".join(lines) or "pass"
+    code = (
+        f"def make({', '.join(known)}):\n def __init__({parameters}):\n  {body}\n return __init__"
+    )
+    written: dict[str, Any] = {}
+    exec(code, vars(sys.modules[cls.__module__]), written)
+    init: Callable[..., None] = written["make"](**known)
+    init.__annotations__ = {**{one.name: one.type for one in fields(cls)}, "return": None}
+    init.__qualname__ = f"{cls.__qualname__}.__init__"
+    return init
 
 
 def concise(record: Any) -> str:

@@ -343,7 +343,7 @@ def to_si(text: str, dimension: Dimension) -> float:
             said("must be at most {most} characters long", most=_LONGEST_TEXT), value=text
         )
     number, unit_text = _split(text, dimension)
-    unit = _unit(unit_text, dimension)
+    unit = _COMMON[dimension].get(unit_text) or _spelled_unit(unit_text, dimension)
     try:
         return float(_exact(number) * unit.scale + unit.offset)
     except OverflowError:
@@ -501,11 +501,6 @@ def _exact(number: str) -> Fraction:
     if exponent and abs(int(exponent)) > _GREATEST_EXPONENT:
         raise OverflowError
     return Fraction(number)
-
-
-def _unit(text: str, dimension: Dimension) -> _Unit:
-    common = _COMMON[dimension].get(text)
-    return common if common is not None else _spelled_unit(text, dimension)
 
 
 @lru_cache(maxsize=1024)

@@ -18,7 +18,7 @@ GRIP = "#machine-hold .grip[aria-label^='{}']"
 
 def opened(visit: Any, name: str = "spindle", **options: Any) -> Any:
     page = visit("#machine", **options)
-    page.locator("#machine-examples button").filter(has_text=name).first.click()
+    page.locator(f"#machine-examples button[value={name}]").click()
     settled(page)
     return page
 

@@ -16,6 +16,7 @@ from rolamento import (
     UnknownKeyError,
     solve,
 )
+from rolamento.case.fields import field_of, fields_of
 from rolamento.case.varied import SHORT_NAMES, batch_fields, bounded, varied_arrays
 from rolamento.system.preload import preload_of
 
@@ -130,6 +131,16 @@ def test_what_does_not_go_together_is_refused(values: dict[str, Any], message: s
 def test_an_unknown_field_is_refused_with_the_nearest(name: str, near: str) -> None:
     with pytest.raises(UnknownKeyError, match=near):
         solve(PAIR, {name: [1.0]})
+
+
+def test_one_field_is_found_as_all_are() -> None:
+    names = ("name", "replaces", "rivals", "kind", "bounds", "choices", "meaning")
+    for name, among_all in fields_of(Case).items():
+        alone = field_of(Case, name)
+        assert alone is not None
+        assert [getattr(alone, one) for one in names] == [getattr(among_all, one) for one in names]
+    for unknown in ("duty.load", "duty.load.f", "duty.load.fz.x", "", "duty."):
+        assert field_of(Case, unknown) is None
 
 
 def test_fields_of_sets_belong_to_sets() -> None:

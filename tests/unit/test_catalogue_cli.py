@@ -102,8 +102,8 @@ def test_show_without_ratings_and_with_given_ones() -> None:
         (("show", "6255"), "did you mean"),
         (("show", "6205/C9"), "C2, CN, C3, C4 and C5"),
         (("show", "6205", "--dynamic", "14"), "--dynamic"),
-        (("show", "6205", "--static", "0 N"), "between 1 N and 1 GN"),
-        (("search", "62", "--most", "0"), "must be between 1 and 1000"),
+        (("show", "6205", "--static", "0 N"), "must be at least 1 N and at most"),
+        (("search", "62", "--most", "0"), "must be at least 1 and at most 1000"),
         (("search", "62", "--catalogue", "absent.csv"), "absent.csv"),
     ],
 )

@@ -80,11 +80,10 @@ def test_the_help_of_every_command_is_said(names: tuple[str, ...], command: Any)
         (("synthesise", "6205"), "Erro: Falta a opção: --output."),
         (("solve", "a", "b"), "Erro: Argumentos a mais: b"),
         (("solve", "a", "--jsn"), "Erro: Opção desconhecida: --jsn. Você quis dizer --json"),
-        (("shaft", "a", "--points", "x"), "inválido para --points: deve ser um número inteiro."),
+        (("app", "--port", "x"), "inválido para --port: deve ser um número inteiro."),
         (("turn", "a", "--points"), "Erro: A opção --points precisa de um valor."),
         (("diagnose", "a", "--nominal=1"), "Erro: A opção --nominal não aceita valor."),
-        (("rotor", "a", "--damping", "x"), "--damping: deve ser um número."),
-        (("plot", "a", "--kind", "x"), "Valor inválido para --kind: deve ser um de: rosette"),
+        (("reproduce", "--pictures", "x"), "inválido para --pictures: deve ser um de: svg, png"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_with_a_command_line(arguments: tuple[str, ...], text: str) -> None:

@@ -18,7 +18,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch import solve_some
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.mirror import mirror
-from rolamento.rows.ball.run import Solution
+from rolamento.rows.ball.run import BallResponse
 from rolamento.rows.ball.set_blocks import solve_sets
 from rolamento.system import spread
 
@@ -34,13 +34,13 @@ def test_both_ways_agree(case_218: Case, speed: float) -> None:
     )
     results = []
     for form in (lambda kernel: kernel, ready):
-        solution = Solution.empty(1, 16)
+        solution = BallResponse.empty(1, 16)
         solve_some(batch, speed > 0.0, np.arange(1), False, 1e6, solution.arrays(), form)
         results.append(solution)
     plain, compiled = results
-    assert plain.code[0] == compiled.code[0] == 0
+    assert plain.number[0] == compiled.number[0] == 0
     np.testing.assert_allclose(plain.displacement, compiled.displacement, atol=1e-16)
-    np.testing.assert_allclose(plain.reaction, compiled.reaction, rtol=1e-10, atol=1e-6)
+    np.testing.assert_allclose(plain.force, compiled.force, rtol=1e-10, atol=1e-6)
     np.testing.assert_allclose(
         plain.stiffness, compiled.stiffness, rtol=1e-9, atol=1e-9 * plain.stiffness.max()
     )

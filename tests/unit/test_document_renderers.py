@@ -554,3 +554,52 @@ def test_a_workbook_is_the_same_every_time_whatever_its_tables_are_called() -> N
 )
 def test_letters_have_their_indices(text: str, pieces: list[tuple[str, str]] | None) -> None:
     assert list(indexed(text)) == (pieces or [(text, "")])
+
+
+class _Stream(io.StringIO):
+    """A stream that may be a terminal."""
+
+    def __init__(self, is_terminal: bool) -> None:
+        super().__init__()
+        self._is_terminal = is_terminal
+
+    def isatty(self) -> bool:
+        return self._is_terminal
+
+
+@pytest.mark.parametrize(
+    ("variables", "at_terminal", "in_pipe"),
+    [
+        ({}, True, False),
+        ({"TERM": "dumb"}, False, False),
+        ({"NO_COLOR": "1"}, False, False),
+        ({"NO_COLOR": ""}, True, False),
+        ({"FORCE_COLOR": "1"}, True, True),
+        ({"FORCE_COLOR": ""}, False, False),
+        ({"FORCE_COLOR": "1", "NO_COLOR": "1"}, False, False),
+    ],
+)
+def test_colours_where_the_environment_and_the_stream_have_them(
+    monkeypatch: pytest.MonkeyPatch,
+    variables: dict[str, str],
+    at_terminal: bool,
+    in_pipe: bool,
+) -> None:
+    for name in ("NO_COLOR", "FORCE_COLOR", "TERM"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    assert Medium.of(_Stream(True)).colors is at_terminal
+    assert Medium.of(_Stream(False)).colors is in_pipe
+    assert Medium.of(None).colors is in_pipe
+
+
+@pytest.mark.parametrize(
+    ("columns", "width"), [("100", 100), ("20", 80), ("500", 120), ("wide", None)]
+)
+def test_a_page_is_as_wide_as_the_user_says(
+    monkeypatch: pytest.MonkeyPatch, columns: str, width: int | None
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    found = Medium.of(_Stream(True)).width
+    assert 80 <= found <= 120 if width is None else found == width

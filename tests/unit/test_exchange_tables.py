@@ -177,5 +177,5 @@ def test_a_bearing_that_is_not_there_is_refused() -> None:
     subject = read_subject(str(MACHINES / "spindle.toml"))
     with pytest.raises(InputError, match="nose"):
         mapped(subject, bearing="noze", points=2)
-    with pytest.raises(InputError, match="--points = 51: must be 2 to 50"):
+    with pytest.raises(InputError, match="points = 51: must be 2 to 50"):
         mapped(subject, ["shafts.0.speed=0..9rpm", "loads.0.fx=0..9N"], points=51)

@@ -27,6 +27,7 @@ from rolamento.grease import (
 from rolamento.grease.models import MODELS
 from rolamento.lubrication.oil_choice import choose_oil, viscosity_at_40
 from rolamento.lubrication.oil_state import oil_state, viscosity_ratio
+from rolamento.studies import Study, run
 from rolamento.tasks.grease import choose_oil_of_case, grease_of_case
 
 RPM = np.pi / 30.0
@@ -345,3 +346,32 @@ def test_the_commands() -> None:
     wrong = run(app, ["oil", "6310", "--speed", "1480 rpm", "--temperatures", "40"])
     assert wrong.exit_code == 2
     assert "40..80degC" in wrong.output
+
+
+@pytest.mark.parametrize("designation", ["6205-2RS1", "6310"])
+def test_a_study_has_the_grease_of_each_case(designation: str) -> None:
+    case = Case(
+        bearing=designation,
+        duty={"inner_speed": "3000 rpm", "load": {"fz": "500 N"}},
+        lubricant="ISO VG 100",
+        temperature={"lubricant": "70 degC"},
+    )
+    warmth, loads = [333.15, 363.15], [500.0, 1500.0]
+    axes = [
+        {"field": "temperature.lubricant", "values": warmth},
+        {"field": "duty.load.fz", "values": loads},
+    ]
+    names = (
+        "grease_hours", "grease_hours_l10", "relubrication_hours_minimum",
+        "relubrication_hours_maximum",
+    )  # fmt: skip
+    found = run(Study(case=case, axes=axes, outputs=names))
+    for i, temperature in enumerate(warmth):
+        for j, load in enumerate(loads):
+            own = grease_of_case(
+                case.with_({"temperature.lubricant": temperature, "duty.load.fz": load})
+            )
+            numbers = [float(found[name][i, j]) for name in names]
+            expected = [own.hours, own.l10, *own.interval]
+            assert numbers == pytest.approx(expected, rel=1e-9, nan_ok=True)
+            assert np.isfinite(numbers).any()

@@ -22,7 +22,7 @@ from rolamento.rows.ball.blocks import (
 from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.problem import Columns, apply_model, directions, ring_arms
-from rolamento.rows.ball.run import Solution, solve_columns
+from rolamento.rows.ball.run import BallResponse, solve_columns
 from rolamento.rows.ball.settle import NEAR, settle
 from rolamento.rows.ball.single import (
     OFF_GROOVE,
@@ -249,18 +249,18 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     columns = Columns(p[: layout.DUTY], p[layout.DUTY :])
     if setting in ("one bearing", "large balls"):
         columns = Columns(columns.duty, columns.bearing[:, :1].copy())
-    assert (columns.length > layout.COLUMN) == (setting == "large balls")
+    assert (len(columns.bearing) > layout.COLUMN - layout.DUTY) == (setting == "large balls")
     solution = solve_columns(columns, control, balls, threads=1)
     (cosines, sines), order = directions(balls), np.arange(cases)
 
-    together = Solution.empty(cases, balls)
+    together = BallResponse.empty(cases, balls)
     accepted = np.zeros(cases, np.bool_)
     ring = ring_around.python(balls, False)
     errors = np.zeros((balls, 2))
     batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(balls, 0))
     judge_blocks.compiled(
         batch, order, room_for(balls), solution.displacement, solution.cage, solution.position,
-        together.reaction, together.stiffness, together.residual, accepted,
+        together.force, together.stiffness, together.residual, accepted,
     )  # fmt: skip
     arms = ring_arms(p[:, 0])
     assert accepted.mean() > 0.9
@@ -277,7 +277,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
         code, residual, _ = judge.compiled(one, solution.cage[case])
         assert code == CONVERGED
         assert residual == together.residual[case] <= TOLERANCE
-        np.testing.assert_array_equal(arms * ring.reaction, together.reaction[case])
+        np.testing.assert_array_equal(arms * ring.reaction, together.force[case])
         stiffness = np.outer(arms, arms) * ring.matrix
         np.testing.assert_array_equal(stiffness, together.stiffness[case])
     assert (off > 0) == (setting == "off the groove")

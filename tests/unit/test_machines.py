@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import root
 
 import rolamento as ro
+from rolamento.case.lubricant import Lubricant
 from rolamento.case.machine import Machine
 from rolamento.machines import shaft
 from rolamento.numerics import FloatArray
@@ -333,3 +334,17 @@ def test_raceway_control_by_jones_goes_through_the_machine() -> None:
         np.testing.assert_array_equal(
             alone.elements.raceway_control, one.solved.elements.raceway_control
         )
+
+
+@pytest.mark.parametrize("own", [{}, {"traction": "film"}])
+def test_friction_control_is_refused_by_the_field_that_asks_for_it(own: dict[str, str]) -> None:
+    first, second = pair("+x", "-x").bearings
+    first = first.replace(
+        model={"raceway_control": "friction", **own},
+        lubricant=Lubricant.named("ISO VG 68").replace(friction_coefficient=0.06),
+        temperature={"lubricant": "70 degC"},
+    )
+    machine = pair("+x", "-x").replace(bearings=[first, second])
+    with pytest.raises(ro.InputError, match="for a bearing alone") as error:
+        shaft(machine)
+    assert error.value.field == f"bearings.0.model.{'traction' if own else 'raceway_control'}"

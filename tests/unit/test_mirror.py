@@ -9,7 +9,7 @@ from rolamento.case import Case
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.mirror import AXES, mirror, planes
 from rolamento.rows.ball.problem import directions
-from rolamento.rows.ball.run import Solution, solve_columns
+from rolamento.rows.ball.run import BallResponse, solve_columns
 from rolamento.system import spread
 
 CASES = 60
@@ -17,7 +17,7 @@ NEXT_TO_NOTHING = 1e-250
 """A load that changes no number, and yet is none that a mirror image leaves as it is."""
 
 
-def solved(case: Case, duties: dict[str, np.ndarray]) -> Solution:
+def solved(case: Case, duties: dict[str, np.ndarray]) -> BallResponse:
     p = spread(case, duties).rows[0].row.p
     balls = case.bearing.ball_count
     return solve_columns(p, np.ones((1, balls)), balls, threads=1)
@@ -70,13 +70,13 @@ def test_half_of_the_balls_is_all_of_them(
     assert found_planes(case_218, duties, control) == [plane] * CASES
     assert found_planes(case_218, whole, control) == [0] * CASES
     one, other = solved(case_218, duties), solved(case_218, whole)
-    assert (one.code == 0).all()
-    assert (other.code == 0).all()
-    for name in ("displacement", "position", "reaction", "stiffness", "cage"):
+    assert (one.number == 0).all()
+    assert (other.number == 0).all()
+    for name in ("displacement", "position", "force", "stiffness", "cage"):
         found, expected = getattr(one, name), getattr(other, name)
         size = np.nanmax(np.abs(expected), initial=0.0)
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11 * size)
-    assert np.abs(one.reaction[:, list(AXES[plane])]).max() < 1e-10 * fx.max()
+    assert np.abs(one.force[:, list(AXES[plane])]).max() < 1e-10 * fx.max()
 
 
 def test_what_has_no_mirror_image(case_218: Case) -> None:

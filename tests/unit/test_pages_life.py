@@ -291,7 +291,7 @@ def test_the_report_fits_and_leaves_no_blank(name: str, width: int, language: st
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_colours_change_nothing_but_colours(language: str) -> None:
     plain = report("as it is", language)
-    coloured = report("as it is", language, colors="standard")
+    coloured = report("as it is", language, colors=True)
     assert "\x1b[" in coloured
     assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == plain
 

@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import typer
 import xarray as xr
 from typer.testing import CliRunner
 
 import rolamento as ro
-from rolamento.cli.plot import Kind, plot
+from rolamento.cli.requested import program_of
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.tasks.drawing import Kind
 
 Run = Callable[..., tuple[int, str]]
 PNG = b"\x89PNG"
@@ -38,8 +38,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, state: Solved) -> Run:
     write_study("sweep.nc", (0, 0, 0))
     write_study("nothing.nc", (1, 1, 1))
     write_samples("samples.nc")
-    app = typer.Typer()
-    app.command()(plot)
+    app = program_of("studying:PlotRequest", "plot")
 
     def runner(*arguments: str, given: str | None = None) -> tuple[int, str]:
         result = CliRunner().invoke(app, arguments, input=given, env={"LC_ALL": "C.UTF-8"})
@@ -126,9 +125,9 @@ def test_a_failed_state_has_no_life_to_draw(kind: str, run: Run) -> None:
         ("state.json", "sn", "case.life: is missing"),
         ("steep.json", "sn", "such a bearing is rated for axial load"),
         ("angular.json", "zone", "needs a single radial-contact bearing given by its clearance"),
-        ("oilless.json", "aiso", '--kind = "aiso": needs a viscosity ratio'),
+        ("oilless.json", "aiso", '--kind: "aiso": needs a viscosity ratio'),
         ("bare.json", "helps", "case = None: must be a table"),
-        ("sweep.nc", "aiso", '--kind = "aiso": does not suit a study; possible: lines, map'),
+        ("sweep.nc", "aiso", '--kind: "aiso": does not suit a study; possible: lines, map'),
     ],
 )
 def test_lives_that_cannot_be_drawn(
@@ -224,11 +223,11 @@ def test_a_study_of_failures_is_drawn_and_told(run: Run) -> None:
         (("state.json", "-o", "no/figure.png"), "cannot be written"),
         (
             ("state.json", "--kind", "lines"),
-            '--kind = "lines": does not suit the JSON of a state; possible: rosette, balls',
+            '--kind: "lines": does not suit the JSON of a state; possible: rosette, balls',
         ),
-        (("sweep.nc", "--kind", "rosette"), '--kind = "rosette": does not suit a study; possible:'),
-        (("state.json", "--variable", "x"), '--variable = "x": is for studies'),
-        (("state.json", "--over", "x"), '--over = "x": is for studies'),
+        (("sweep.nc", "--kind", "rosette"), '--kind: "rosette": does not suit a study; possible:'),
+        (("state.json", "--variable", "x"), '--variable: "x": is for studies'),
+        (("state.json", "--over", "x"), '--over: "x": is for studies'),
         (("sweep.nc", "--variable", "q"), "is not in the study; known: x, z"),
         (("sweep.nc", "--over", "fz"), "is not an axis of x"),
         (("sweep.nc", "--kind", "map"), "needs a study with two axes"),

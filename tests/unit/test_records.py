@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
+import inspect
 import pickle
-from dataclasses import FrozenInstanceError, field, fields, is_dataclass
+from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -91,6 +93,102 @@ def test_they_are_frozen_hashed_and_pickled() -> None:
     assert pickle.loads(pickle.dumps(one)) == one
     assert not hasattr(one, "__dict__")
     assert large() != large()
+
+
+def _first(frozen: Any) -> Any:
+    class First:
+        """A class to be made a record."""
+
+        load: float
+        parts: list[int] = field(default_factory=lambda: [1])
+        name: str = "inner"
+
+    return frozen(First)
+
+
+def _second(frozen: Any) -> Any:
+    class Second(_first(frozen)):  # type: ignore[misc]
+        """One that inherits, checks itself, and says what is equal."""
+
+        angle: float = 0.0
+
+        def __post_init__(self) -> None:
+            if self.load < 0.0:
+                raise ValueError("load")
+
+        def __hash__(self) -> int:
+            return 7
+
+    return frozen(Second)
+
+
+def _third(frozen: Any) -> Any:
+    class Third:
+        """One that is called by names."""
+
+        load: float = 1.0
+        name: str
+        angle: float | None = field(default=None, compare=False)
+        sources: dict[str, str] = field(default_factory=dict, hash=False)
+
+    return frozen(Third, kw_only=True, slots=False)
+
+
+def _plain(cls: type[Any], **options: bool) -> Any:
+    return dataclass(frozen=True, repr=False, **{"slots": True, **options})(cls)
+
+
+def _record(cls: type[Any], **options: bool) -> Any:
+    return frozen(**options)(cls)
+
+
+@pytest.mark.parametrize("made", [_first, _second, _third])
+@pytest.mark.parametrize(
+    ("places", "names"),
+    [
+        ((), {}), ((2.0,), {}), ((2.0, [3]), {"name": "outer"}), ((), {"name": "x"}),
+        ((), {"name": "x", "load": 3.0}), ((1.0,), {"load": 1.0}), ((), {"other": 1}),
+        ((-1.0,), {}), ((1.0, [2], "x", 0.5), {}), ((1.0, [2], "x", 0.5, 1), {}),
+    ],
+)  # fmt: skip
+def test_they_are_made_as_dataclasses_are(made: Any, places: Any, names: Any) -> None:
+    own, plain = made(_record), made(_plain)
+    try:
+        as_plain = plain(*places, **names)
+    except (TypeError, ValueError) as error:
+        with pytest.raises(type(error)):
+            own(*places, **names)
+        return
+    one, other = own(*places, **names), own(*places, **names)
+    values = {each.name: getattr(one, each.name) for each in fields(own)}
+    assert values == {each.name: getattr(as_plain, each.name) for each in fields(plain)}
+    assert one == other
+    assert one != as_plain
+    assert one == copy.copy(one) == copy.deepcopy(one) == replace(one)
+    assert one != replace(one, name="another")
+    for changes in ({"load": 9.0}, {"angle": 9.0}, {"sources": {"load": "print"}}):
+        if changes.keys() <= values.keys():
+            changed, as_changed = replace(one, **changes), replace(as_plain, **changes)
+            assert (one == changed) == (as_plain == as_changed)
+    assert hasattr(one, "__dict__") == hasattr(as_plain, "__dict__")
+    assert own.__match_args__ == plain.__match_args__
+    for record in (one, as_plain):
+        with pytest.raises(FrozenInstanceError):
+            record.name = "another"
+        with pytest.raises(FrozenInstanceError):
+            del record.name
+    if made is _first:  # of a list
+        with pytest.raises(TypeError):
+            hash(one)
+    else:
+        assert (hash(one) == 7) == (hash(as_plain) == 7)
+        assert hash(one) == hash(other)
+
+
+@pytest.mark.parametrize("made", [_second, _third])
+def test_their_signature_is_that_of_a_dataclass(made: Any) -> None:
+    own, plain = (inspect.signature(made(frozen)) for frozen in (_record, _plain))
+    assert str(own).replace("<made>", "<factory>") == str(plain)
 
 
 @pytest.mark.parametrize(

@@ -151,7 +151,7 @@ def test_a_long_title_is_broken_and_markup_in_it_is_only_text(case_218: Case) ->
 def test_colours_only_where_the_medium_has_them() -> None:
     state = solved("218_combined")
     assert "\x1b[" not in plain(state)
-    coloured = plain(state, colors="standard")
+    coloured = plain(state, colors=True)
     assert "\x1b[" in coloured
     assert re.sub(r"\x1b\[[\d;]*m", "", coloured).split() == plain(state).split()
 

@@ -18,6 +18,7 @@ from rolamento.clearance import (
     clearance_of_case,
     operating_case,
 )
+from rolamento.clearance.chain import raceways
 from rolamento.io.data import toml_of
 from rolamento.solution import solve
 from rolamento.system.mounted import preload_stages, running_set
@@ -147,15 +148,16 @@ def test_the_inner_fit_grows_the_raceway_by_makers_formula() -> None:
 def test_the_outer_fit_and_a_massive_housing() -> None:
     """ΔE = δ E/D with a massive housing of the same steel."""
     found = clearance(nu(mounting__housing_interference=10e-6))
-    assert found == pytest.approx(50e-6 - 10e-6 * 81.5e-3 / 90e-3, rel=1e-12)
+    assert found == pytest.approx(50e-6 - 10e-6 * 81.55e-3 / 90e-3, rel=1e-12)
 
 
 def test_rollers_as_warm_as_their_inner_ring() -> None:
-    """-α ΔT (d_pw + D_we), the makers' rule, with no difference that changes nothing."""
+    """-α ΔT (d_pw + D_we), the makers' rule; as warm as each other, all grows like the rings."""
     warm = nu(temperature__inner_ring=353.15, temperature__outer_ring=343.15)
-    assert clearance(warm) == pytest.approx(50e-6 - ALPHA * 10.0 * 81.5e-3, rel=1e-9)
+    grown = 50e-6 * (1.0 + 50.0 * ALPHA)
+    assert clearance(warm) == pytest.approx(grown - ALPHA * 10.0 * 81.5e-3, rel=1e-9)
     even = nu(temperature__inner_ring=353.15, temperature__outer_ring=353.15)
-    assert clearance(even) == pytest.approx(50e-6, abs=1e-15)
+    assert clearance(even) == pytest.approx(50e-6 * (1.0 + 60.0 * ALPHA), rel=1e-12)
 
 
 def test_a_reading_is_the_clearance() -> None:
@@ -361,3 +363,13 @@ def test_the_class_of_a_designation(designation: str, low: float, high: float) -
     case = case_of(designation, ["mounting.shaft_interference=0 um"])
     first = clearance_of_case(case).steps[0]
     assert first.clearance == pytest.approx((1e-6 * low, 0.5e-6 * (low + high), 1e-6 * high))
+
+
+@pytest.mark.parametrize("text", [NU, PAIR])
+def test_a_roller_and_the_clearance_fill_what_lies_between_the_raceways(text: str) -> None:
+    """Rollers whose circle is given stand on the inner ring."""
+    row = parse_case(text).bearing.places[0].bearing
+    inner, outer, across, clearance = raceways(row)
+    assert outer - inner == pytest.approx(2.0 * across + clearance, abs=1e-15)
+    assert inner + across == pytest.approx(row.pitch_diameter, abs=1e-15)
+    assert clearance == (row.diametral_clearance or 0.0)

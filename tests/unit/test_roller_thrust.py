@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import rolamento as ro
+from rolamento.analysis.speed_limits import speed_limits
 from rolamento.catalogue import catalogue, geometry_of
 from rolamento.catalogue.roller_inference import inferred_rollers
 from rolamento.contact.line import EXPONENT, pair_constant
@@ -15,7 +16,6 @@ from rolamento.errors import InputError
 from rolamento.friction.skf import series_constants, skf_moment
 from rolamento.ratings import roller_dynamic_rating
 from rolamento.ratings.rollers import roller_static_rating
-from rolamento.tasks.speed import speed_limits
 
 FLAT: dict[str, Any] = {
     "element": "cylindrical", "kind": "thrust", "roller_count": 24, "roller_diameter": 0.0075,

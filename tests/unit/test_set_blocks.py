@@ -115,7 +115,7 @@ def test_pressed_in_is_where_the_solver_puts_the_ring() -> None:
     free, load = np.zeros((30, 5), np.bool_), np.zeros((30, 5))
     free[:, 0], load[:, 0] = True, force
     asked = replace(row, p=row.p.of(np.arange(30))).asked(free, load, np.zeros_like(load))
-    held = asked.alone()
+    held = asked.solve()
     expected = np.where(held.number == 0, held.place[:, 0], np.nan)
     assert np.isnan(expected).any()
     found = row.press_in(force)

@@ -10,6 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import InputError, load_case, parse_case, solve
+from rolamento.analysis.speed_limits import speed_limits
 from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.preload_classes import level_of_force
@@ -33,7 +34,6 @@ from rolamento.speeds import (
     speed_ratio,
     thermal_reference_speed,
 )
-from rolamento.tasks.speed import speed_limits
 from rolamento.words.headlines import qualifies
 
 RPM = pi / 30.0

@@ -60,6 +60,8 @@ def test_no_number_without_a_result(values: dict[str, np.ndarray]) -> None:
             output.needs
         ):  # which a row of balls that turns has not
             continue
+        if name.startswith(("grease_", "relubrication_")):  # of sealed ones, of known sizes
+            continue
         assert np.isnan(values[name][2]).all(), name
         under_friction_control = "friction control" in output.needs
         if "spin" not in name and name not in ("ry", "rz") and not under_friction_control:

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import rolamento as ro
+from rolamento.analysis.speed_limits import speed_limits
 from rolamento.catalogue import catalogue, geometry_of
 from rolamento.contact.profile import ISO_FACTOR_TAPERED
 from rolamento.errors import InputError
 from rolamento.plots.bearing_section import section_drawing
 from rolamento.solved.outline import roller_outline
-from rolamento.tasks.speed import speed_limits
 
 CONES: dict[str, Any] = {
     "element": "tapered", "kind": "thrust", "roller_count": 24, "roller_diameter": 0.016,

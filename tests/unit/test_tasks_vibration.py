@@ -12,7 +12,7 @@ import pytest
 
 from rolamento import Bearing, Case, Duty, FileError, InputError, Load, tasks
 from rolamento.errors import arguments, phrase
-from rolamento.tasks.parameters import renamed, speed_of
+from rolamento.tasks.parameters import speed_of
 from rolamento.vibration import DiagnosisSettings, Fault, Noise, Waviness
 
 SPEED = 1797.0 * pi / 30.0
@@ -180,20 +180,20 @@ def test_names_of_parameters_are_those_of_options() -> None:
         'pulses: needs speed_unit="Hz" or rate=2000.0; its rate = 25 may be it, and x.rate=3 not'
         ' (example: speed_unit="Hz", pulses=1)'
     )
-    told = renamed(error, names, lambda name, value: f"{name} {value}", between=" ")
+    told = error.spelled(names, lambda name, value: f"{name} {value}", between=" ")
     assert told.rule == (
         'needs --speed-unit "Hz" or --rate 2000.0; its rate = 25 may be it, and x.rate=3 not'
     )
     assert (told.field, told.example) == ("--pulses", '--speed-unit "Hz" --pulses 1')
     nested = InputError("is too low", source="pulses", field="rate")
-    assert (renamed(nested, names).source, renamed(nested, names).field) == ("--pulses", "rate")
+    assert (nested.spelled(names).source, nested.spelled(names).field) == ("--pulses", "rate")
 
 
 def test_what_names_arguments_outlives_a_process() -> None:
     error = InputError("is missing", field="unit", example=arguments(unit="g", scale=...))
     again = pickle.loads(pickle.dumps(error.with_details(source="a.csv")))
     assert again.example == 'unit="g", scale=…'
-    assert renamed(again, {"unit": "--unit"}).example == '--unit="g", scale=…'
+    assert again.spelled({"unit": "--unit"}).example == '--unit="g", scale=…'
 
 
 def test_names_of_the_package() -> None:

@@ -17,6 +17,7 @@ import pytest
 from tests.one_case import keys
 
 from rolamento import Case, Solved, analyse, solve
+from rolamento.analysis.speed_limits import speed_limits
 from rolamento.clearance import sets
 from rolamento.clearance.chain import Strains
 from rolamento.friction import Friction, friction
@@ -26,7 +27,6 @@ from rolamento.life import LifeSummary, life
 from rolamento.lubrication.film_thickness import aihara, thermal_loading
 from rolamento.lubrication.films import oil_of
 from rolamento.solved.notes import notes_on
-from rolamento.tasks.speed import speed_limits
 from rolamento.weibull import LifeTest, maximum_likelihood
 from rolamento.weibull.drawing import Drawing
 from rolamento.weibull.goodness import DogLeg, GoodnessOfFit

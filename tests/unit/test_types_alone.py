@@ -21,7 +21,7 @@ OTHER_WORDS = {
     "case/hints.py": "a thrust is a force",
     "catalogue/designation.py": "a tapered bore is no tapered bearing",
     "pages/speed.py": "a thrust is a force",
-    "tasks/speed.py": "a thrust is a force",
+    "analysis/speed_limits.py": "a thrust is a force",
     "verification/standards.py": "a table of two rows",
 }
 

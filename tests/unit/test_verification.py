@@ -324,7 +324,7 @@ def test_a_failed_number_stands_out() -> None:
     text = shown(found)
     assert "fails [1]" in text
     assert text.endswith("✗ 1 numbers: 0 agree, 0 explained, 1 fail\n")
-    assert "\x1b[" in shown(found, medium=Medium(colors="standard"))
+    assert "\x1b[" in shown(found, medium=Medium(colors=True))
 
 
 def test_the_page_in_the_documentation_is_up_to_date() -> None:
@@ -432,7 +432,7 @@ def test_the_page_may_go_to_standard_output(command: Command) -> None:
     [
         (
             ("--source", "harris"),
-            'source = "harris": is an unknown source; did you mean harris_1991',
+            '--source: "harris": is an unknown source; did you mean harris_1991',
         ),
         (("--json", "--markdown", "-"), "standard output: only one of --json and --markdown can"),
         (("--json", "x", "--markdown", "x"), "x: only one of --json and --markdown can"),

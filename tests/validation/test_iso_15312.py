@@ -12,6 +12,7 @@ from math import pi
 
 import pytest
 
+from rolamento.analysis.speed_limits import speed_limits
 from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.ratings import static_rating
@@ -20,7 +21,6 @@ from rolamento.speeds import (
     speed_ratio,
     thermal_reference_speed,
 )
-from rolamento.tasks.speed import speed_limits
 
 PRINTED = {
     "6000": ("60", 10, 26, 8, 1960, 27_600),

@@ -1,7 +1,5 @@
 """Sets of bearings: which way each row faces, where it sits, and how the set is preloaded."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self

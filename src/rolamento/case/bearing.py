@@ -1,17 +1,13 @@
 """The internal geometry of a bearing: one row of balls, or a set of rows on one shaft."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
-from functools import lru_cache
-from typing import Annotated, Any, ClassVar, Final, Literal, Self, cast, get_args
+from typing import Annotated, Any, ClassVar, Final, Literal, cast, get_args
 
 import numpy as np
 from pydantic import (
     ConfigDict,
     Field,
-    model_validator,
 )
 
 from rolamento.case.arrangement import (
@@ -77,7 +73,7 @@ def _sphere_if_any(told: dict[str, Any]) -> float:
     return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
 
 
-def _too_small_a_circle(bearing: Bearing) -> InputError:
+def _too_small_a_circle(bearing: "Bearing") -> InputError:
     return InputError(
         said(
             "must be greater than the ball diameter, {ball_diameter}",
@@ -89,7 +85,7 @@ def _too_small_a_circle(bearing: Bearing) -> InputError:
     )
 
 
-def _too_many_balls(bearing: Bearing) -> InputError:
+def _too_many_balls(bearing: "Bearing") -> InputError:
     """Neighbouring balls touch when D = d_m sin(π/Z)."""
     room = math.floor(math.pi / math.asin(bearing.ball_diameter / bearing.pitch_diameter))
     return InputError(
@@ -116,7 +112,7 @@ def _angle_within(bearing: Any) -> Any:
     return (angle < 0.5 * math.pi) & ((angle > 0.0) | (not bearing.bearing_type.aligns))
 
 
-def _angle_beyond(bearing: Bearing) -> InputError:
+def _angle_beyond(bearing: "Bearing") -> InputError:
     assert bearing.contact_angle is not None
     if bearing.bearing_type.washers:
         rule, example = said("of a thrust bearing must be greater than 45 deg"), "90 deg"
@@ -144,7 +140,7 @@ def _elastic_play(bearing: Any) -> Any:
     return clearance_fits(bearing.diametral_clearance, _reach(bearing), closed)
 
 
-def _play_beyond(bearing: Bearing) -> InputError:
+def _play_beyond(bearing: "Bearing") -> InputError:
     closed, distance = math.cos(bearing.shim_angle or 0.0), _reach(bearing)
     least, most = (_rounded_length(f * distance) for f in (-0.25, 2.0 * closed))
     assert bearing.diametral_clearance is not None
@@ -165,7 +161,7 @@ def _shoulder_rule(name: str) -> Rule:
         height = getattr(bearing, name)
         return True if height is None else height < 0.5 * bearing.ball_diameter
 
-    def too_high(bearing: Bearing) -> InputError:
+    def too_high(bearing: "Bearing") -> InputError:
         return InputError(
             said(
                 "must be less than the ball radius, {ball_diameter}",
@@ -354,16 +350,24 @@ class Bearing(RollingBearing):
         """Material of the balls."""
         return self.ball_material
 
-    @property
-    def places(self) -> tuple[RowPlace, ...]:
-        """The rows of balls along +x, each as a bearing of one row; one if it is no set.
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        """Rows of contacts, each as it would be alone: one groove a ring, at its own angle.
 
         A four-point bearing has one row of balls, and is two rows of contacts at one place: that
         of the arcs which carry toward +x, and its mirror image.
         """
-        if not self._set_by_kind:
-            return super().places
-        return _faces(self, frozenset(self.model_fields_set))
+        alone = self.model_copy(
+            update={
+                "kind": None,
+                "shim_angle": None,
+                "spacing": None,
+                "contact_angle": self.row_angle,
+                "diametral_clearance": None,
+            }
+        )
+        if self.bearing_type.has_arches:
+            return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
+        return rows_about_centre(alone, self.row_angle)
 
     @property
     def carries_one_way(self) -> bool:
@@ -374,11 +378,6 @@ class Bearing(RollingBearing):
     def groove_bottom(self) -> float:
         """The contact angle of the grooves' deepest point, from which shoulders count; rad."""
         return self.row_angle if self.bearing_type.washers else 0.0
-
-    @property
-    def element_rows(self) -> tuple[RowPlace, ...]:
-        """Those of the `places` that have balls of their own: one of a four-point bearing."""
-        return self.places[:: self.bearing_type.contacts_per_ring]
 
     @classmethod
     def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
@@ -396,53 +395,46 @@ class Bearing(RollingBearing):
     def _never_written(self) -> tuple[str, ...]:
         return ("outer_conformity",) if self.bearing_type.aligns else ()
 
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        self._check_kind()
-        self._check_angle_or_clearance()
-        self.check_rules()
-        self.check_set()
-        return self
-
-    def _check_kind(self) -> None:
-        """Keep each kind to the fields that it has."""
-        if self.kind is not None:
-            for name in ("arrangement", "rows", "preload"):
-                if getattr(self, name) is not None:
-                    raise InputError(
-                        said('does not go with kind = "{kind}"', kind=self.kind),
-                        field=name,
-                        example=said("leave it out, or leave out kind"),
-                    )
-        if (self.bearing_type.has_arches) != (self.shim_angle is not None):
-            if self.shim_angle is None:
-                raise InputError(
-                    said("is missing; a four-point bearing needs it"),
-                    field="shim_angle",
-                    example='shim_angle = "20 deg"',
-                )
+    def _check_fields(self) -> None:
+        of, angle, clearance = self.bearing_type, self.contact_angle, self.diametral_clearance
+        if of.has_arches and self.shim_angle is None:
+            raise InputError(
+                said("is missing; a four-point bearing needs it"),
+                field="shim_angle",
+                example='shim_angle = "20 deg"',
+            )
+        if not of.has_arches and self.shim_angle is not None:
             raise InputError(
                 said("is of four-point bearings only"),
                 field="shim_angle",
                 value=readable(self.shim_angle, "angle"),
                 example='kind = "four_point"',
             )
-        if self.bearing_type.aligns:
+        if of.aligns:
             self._check_sphere()
         elif math.isnan(self.outer_conformity):
             raise InputError(
                 said("is missing"), field="outer_conformity", example="outer_conformity = 0.5232"
             )
-        if self.bearing_type.washers:
-            self._check_thrust()
-
-    def _check_thrust(self) -> None:
-        if self.diametral_clearance is not None:
+        if of.washers and clearance is not None:
             raise InputError(
                 said("is not a quantity of a thrust bearing"),
                 field="diametral_clearance",
-                value=readable(self.diametral_clearance, "length"),
+                value=readable(clearance, "length"),
                 example='contact_angle = "90 deg"',
+            )
+        if angle is None and clearance is None:
+            raise InputError(
+                said("is missing: give the contact angle or the diametral clearance"),
+                field="contact_angle",
+                example='contact_angle = "40 deg" or diametral_clearance = "0.015 mm"',
+            )
+        if angle is not None and clearance is not None:
+            raise InputError(
+                said("cannot be combined with the contact angle: each follows from the other"),
+                field="diametral_clearance",
+                value=readable(clearance, "length"),
+                example='diametral_clearance = "0.015 mm" without contact_angle',
             )
 
     def _check_sphere(self) -> None:
@@ -489,21 +481,6 @@ class Bearing(RollingBearing):
         reach = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
         return float(free_contact_angle(self.diametral_clearance, reach, self.shim_angle or 0.0))
 
-    def _check_angle_or_clearance(self) -> None:
-        if self.contact_angle is None and self.diametral_clearance is None:
-            raise InputError(
-                said("is missing: give the contact angle or the diametral clearance"),
-                field="contact_angle",
-                example='contact_angle = "40 deg" or diametral_clearance = "0.015 mm"',
-            )
-        if self.contact_angle is not None and self.diametral_clearance is not None:
-            raise InputError(
-                said("cannot be combined with the contact angle: each follows from the other"),
-                field="diametral_clearance",
-                value=readable(self.diametral_clearance, "length"),
-                example='diametral_clearance = "0.015 mm" without contact_angle',
-            )
-
 
 def ball_bearing(case: Any) -> Bearing:
     """Return the bearing of a case, for laws that are of balls only.
@@ -530,26 +507,6 @@ def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> A
     closed: cosine of the contact angle without clearance.
     """
     return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance * closed)
-
-
-@lru_cache(maxsize=1024)
-def _faces(bearing: Bearing, given: frozenset[str]) -> tuple[RowPlace, ...]:
-    """The two rows of contacts of a four-point bearing, or the rows of a self-aligning one.
-
-    Each as it would be alone: one groove a ring, at its own angle. given: the user's own fields.
-    """
-    alone = bearing.model_copy(
-        update={
-            "kind": None,
-            "shim_angle": None,
-            "spacing": None,
-            "contact_angle": bearing.row_angle,
-            "diametral_clearance": None,
-        }
-    )
-    if bearing.bearing_type.has_arches:
-        return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
-    return rows_about_centre(alone, bearing.row_angle)
 
 
 def _rounded_length(value: float) -> str:

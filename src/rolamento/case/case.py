@@ -1,7 +1,5 @@
 """A case: one bearing and its duty, read from a file or built in Python."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -50,12 +48,14 @@ if TYPE_CHECKING:
     from rolamento.catalogue import CatalogueBearing
 
 __all__ = [
+    "BearingLike",
     "Case",
     "case_of",
     "case_to_json",
     "case_to_toml",
     "is_designation",
     "load_case",
+    "name_of",
     "override",
     "parse_case",
     "save_case",
@@ -64,6 +64,10 @@ __all__ = [
 
 
 _SIZES: Final = ("bore", "outside_diameter")
+_OF_SPACERS: Final = (
+    "temperature.inner_spacer", "temperature.outer_spacer", "mounting.inner_spacer_material",
+    "mounting.outer_spacer_material",
+)  # fmt: skip
 _ROUNDING: Final = 1e-9
 _MOST_FORCE: Final = 1e9
 """N, of a rating."""
@@ -151,18 +155,12 @@ class Case(Record):
                 filled["bearing"] = bearing.looked_up_again()
             return handler(filled)
 
-    @model_validator(mode="after")
-    def _sizes_agree(self) -> Self:
-        if self.mounting is not None:
-            _check_catalogue_sizes(self.bearing, self.mounting)
-        return self
-
     @classmethod
     def fields(cls) -> Mapping[str, CaseField]:
         """Return what there is to know of each field of a case, by its dotted name."""
         return fields_of(cls)
 
-    def with_(self, values: Mapping[str, Any] | None = None, /, **nested: Any) -> Case:
+    def with_(self, values: Mapping[str, Any] | None = None, /, **nested: Any) -> "Case":
         """Return a case with some values changed, such as ``case.with_(fz="10 kN")``.
 
         A value replaces its rival: a clearance takes the place of the contact angle, a
@@ -223,11 +221,15 @@ class Case(Record):
         return self
 
     @model_validator(mode="after")
-    def _warm_parts_are_mounted(self) -> Self:
-        """Temperatures of the seats act on the clearance by way of the mounting alone."""
-        if self.mounting is None and self.temperature is not None:
+    def _mounting_fits(self) -> Self:
+        """Fits are modelled of plain rows of the designation's size, spacers of sets.
+
+        Temperatures of the seats act on the clearance by way of the mounting alone.
+        """
+        bearing, resolved = self.bearing, self.bearing.resolved
+        if self.mounting is None:
             for part in ("shaft", "housing", "inner_spacer", "outer_spacer"):
-                warm = getattr(self.temperature, part)
+                warm = getattr(self.temperature, part, None)
                 if warm is not None:
                     raise InputError(
                         said("has no effect without [mounting]"),
@@ -235,125 +237,112 @@ class Case(Record):
                         value=readable(warm, "temperature"),
                         example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
                     )
-        return self
-
-    @model_validator(mode="after")
-    def _model_fits_the_grooves(self) -> Self:
-        """On other grooves some choices of the model have no meaning."""
-        kind, model = self.bearing.kind, self.model
-        if kind is None:
             return self
-        many = self.bearing.bearing_type.with_cage_only
-        allowed = ("outer", "inner") if many else ("outer", "inner", "jones", "none")
-        if model.raceway_control not in allowed:
+        for name in _SIZES if resolved is not None else ():
+            told, own = getattr(bearing.published, name), getattr(self.mounting, name)
+            if not isclose(told, own, rel_tol=_ROUNDING):
+                size = readable(told, "length")
+                raise InputError(
+                    said(
+                        "must be {told}, the value of {designation}",
+                        told=size,
+                        designation=bearing.designation,
+                    ),
+                    field=f"mounting.{name}",
+                    value=readable(own, "length"),
+                    example=f'leave it out, or {name} = "{size}"',
+                )
+        if not bearing.bearing_type.mountable:
             raise InputError(
-                said(
-                    'must be one of {allowed} with bearing.kind = "{kind}"',
-                    allowed=", ".join(allowed),
-                    kind=kind,
-                ),
-                field="model.raceway_control",
-                value=model.raceway_control,
-                example='raceway_control = "outer"',
-            )
-        if many and model.cage == "none":
-            raise InputError(
-                said(
-                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
-                    " cage",
-                    kind=kind,
-                ),
-                field="model.cage",
-                value=model.cage,
-                example='cage = "loose"',
-            )
-        return self
-
-    @model_validator(mode="after")
-    def _mounting_is_of_plain_rows(self) -> Self:
-        """What fits do to the play of other grooves is not modelled."""
-        if self.mounting is not None and not self.bearing.bearing_type.mountable:
-            raise InputError(
-                said("is not available for bearings of kind {kind}", kind=self.bearing.kind),
+                said("is not available for bearings of kind {kind}", kind=bearing.kind),
                 field="mounting",
                 example="[bearing] with diametral_clearance or contact_angle as it runs",
             )
-        resolved = self.bearing.resolved
-        if self.mounting is not None and resolved is not None and resolved.is_on_a_taper:
+        if resolved is not None and resolved.is_on_a_taper:
             raise InputError(
                 said("is not available for a tapered bore: its fit is how far the ring is driven"),
                 field="mounting",
                 example="[bearing] with diametral_clearance as it runs",
             )
+        for field in () if bearing.is_set else _OF_SPACERS:
+            table, _, name = field.partition(".")
+            if getattr(getattr(self, table), name, None) is not None:
+                raise InputError(
+                    said("is for sets of rows only: it acts along their spacing"),
+                    field=field,
+                    example='bearing.arrangement = "DB"',
+                )
         return self
 
     @model_validator(mode="after")
-    def _spacers_are_of_sets(self) -> Self:
-        """What lies between rows has no effect on a bearing of one."""
-        if self.bearing.is_set:
-            return self
-        for table, names in (
-            ("temperature", ("inner_spacer", "outer_spacer")),
-            ("mounting", ("inner_spacer_material", "outer_spacer_material")),
-        ):
-            for name in names:
-                if getattr(getattr(self, table), name, None) is not None:
-                    raise InputError(
-                        said("is for sets of rows only: it acts along their spacing"),
-                        field=f"{table}.{name}",
-                        example='bearing.arrangement = "DB"',
-                    )
-        return self
+    def _model_fits(self) -> Self:
+        """Other grooves, rollers and sets have fewer choices of control.
 
-    @model_validator(mode="after")
-    def _friction_control_has_friction(self) -> Self:
-        """Balls that only friction controls need a coefficient of it, and one row."""
-        if self.model.raceway_control != "friction":
-            return self._without_film()
-        if self.bearing.bearing_type.has_rollers:
+        Balls that only friction controls need a coefficient of it, and one row.
+        """
+        model, bearing, of = self.model, self.bearing, self.bearing.bearing_type
+        control, film, refused = model.raceway_control, model.film_field, "model.raceway_control"
+        allowed = ("outer", "inner", *(() if of.with_cage_only else ("jones", "none")))
+        if bearing.kind is not None and control not in allowed:
             raise InputError(
-                said("is for balls only: rollers turn as both races roll them"),
-                field="model.raceway_control",
-                value="friction",
+                said(
+                    'must be one of {allowed} with bearing.kind = "{kind}"',
+                    allowed=", ".join(allowed),
+                    kind=bearing.kind,
+                ),
+                field=refused,
+                value=control,
                 example='raceway_control = "outer"',
             )
-        if self.bearing.is_set:
+        if bearing.kind is not None and of.with_cage_only and model.cage == "none":
+            raise InputError(
+                said(
+                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
+                    " cage",
+                    kind=bearing.kind,
+                ),
+                field="model.cage",
+                value=model.cage,
+                example='cage = "loose"',
+            )
+        if control != "friction":
+            if film is None:
+                return self
+            raise InputError(
+                said('is for raceway_control = "friction" only'),
+                field=film,
+                example='raceway_control = "friction"',
+            )
+        if of.has_rollers:
+            raise InputError(
+                said("is for balls only: rollers turn as both races roll them"),
+                field=refused,
+                value=control,
+                example='raceway_control = "outer"',
+            )
+        if bearing.is_set:
             raise InputError(
                 said(
                     "is available for single bearings only; a set takes outer, inner, jones or none"
                 ),
-                field="model.raceway_control",
-                value="friction",
+                field=refused,
+                value=control,
                 example='raceway_control = "jones"',
             )
-        if self.lubricant is None or not self.lubricant.friction_coefficient:
+        lubricant = self.lubricant
+        if lubricant is None or not lubricant.friction_coefficient:
             raise InputError(
                 said('is missing; raceway_control = "friction" needs it'),
                 field="lubricant.friction_coefficient",
                 example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
             )
-        if self.model.needs_film and (
-            self.lubricant.kind == "dry" or self.lubricant_temperature is None
-        ):
+        if film and (lubricant.kind == "dry" or self.lubricant_temperature is None):
             raise InputError(
                 said(
                     "needs an oil or a grease in [lubricant] and its temperature in [temperature]"
                 ),
-                field="model.traction"
-                if self.model.traction == "film"
-                else "model.film_in_contact",
+                field=film,
                 example='lubricant = "60 degC" in [temperature]',
-            )
-        return self
-
-    def _without_film(self) -> Self:
-        if self.model.needs_film:
-            raise InputError(
-                said('is for raceway_control = "friction" only'),
-                field="model.traction"
-                if self.model.traction == "film"
-                else "model.film_in_contact",
-                example='raceway_control = "friction"',
             )
         return self
 
@@ -403,9 +392,16 @@ def load_case(
     )
 
 
-def case_of(
-    source: Case | Bearing | RollerBearing | str | os.PathLike[str], changes: Changes = ()
-) -> Case:
+BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
+"""A designation, a case file (``"-"``: on standard input), a bearing or a case."""
+
+
+def name_of(bearing: BearingLike, case: Case) -> str:
+    """Return what to call a bearing: by the title of its case, or as it was given."""
+    return case.title or (os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else "")
+
+
+def case_of(source: BearingLike, changes: Changes = ()) -> Case:
     """Return a case, that of a file or a designation, or that of a bearing without a load.
 
     Parameters
@@ -633,33 +629,7 @@ def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping
     return filled
 
 
-def _check_catalogue_sizes(bearing: RollingBearing, mounting: Mounting) -> None:
-    """Refuse a mounting for a bearing of another size than that of the designation.
-
-    Raises
-    ------
-    InputError
-        Naming the size.
-    """
-    published = bearing.published
-    if published is None:
-        return
-    for name in _SIZES:
-        told, own = getattr(published, name), getattr(mounting, name)
-        if not isclose(told, own, rel_tol=_ROUNDING):
-            raise InputError(
-                said(
-                    "must be {told}, the value of {designation}",
-                    told=readable(told, "length"),
-                    designation=bearing.designation,
-                ),
-                field=f"mounting.{name}",
-                value=readable(own, "length"),
-                example=f'leave it out, or {name} = "{readable(told, "length")}"',
-            )
-
-
-def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
+def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
     """Return the bearing of the designation with the ratings of the life table, where it has none.
 
     Nothing of what is wrong: others refuse it.
@@ -668,18 +638,18 @@ def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
     if isinstance(bearing, RollingBearing) and not bearing.from_given_ratings:
         return ()  # it knows its balls
     designation = _designation_of(bearing)
-    ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]
     if designation is None:
         return ()
     from rolamento.catalogue import with_ratings
 
+    ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]
     try:
         return with_ratings(designation, *ratings)
     except InputError:
         return ()
 
 
-def _known(rated: Sequence[CatalogueBearing]) -> AbstractContextManager[object]:
+def _known(rated: "Sequence[CatalogueBearing]") -> AbstractContextManager[object]:
     """Look up designations among some bearings too; the catalogue is not read for none."""
     if not rated:
         return nullcontext()

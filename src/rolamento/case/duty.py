@@ -1,7 +1,5 @@
 """What a bearing is asked to bear: speeds, loads and displacements of the inner ring."""
 
-from __future__ import annotations
-
 from typing import Annotated, Final, Self
 
 from pydantic import Field, model_validator
@@ -153,7 +151,8 @@ class Duty(Record):
     oscillation: Oscillation | None = Field(None, examples=["[duty.oscillation] as a table"])
 
     @model_validator(mode="after")
-    def _load_or_displacement(self) -> Self:
+    def _one_of_rivals(self) -> Self:
+        """A degree of freedom takes a load or a displacement; a ring turns or it swings."""
         for axis, name in zip(AXES, LOADS, strict=True):
             shift, load = getattr(self.displacement, axis), getattr(self.load, name)
             if shift is not None and load is not None:
@@ -167,10 +166,6 @@ class Duty(Record):
                     value=readable(shift, "length" if len(axis) == 1 else "angle"),
                     example=f"{axis} without load.{name}",
                 )
-        return self
-
-    @model_validator(mode="after")
-    def _turning_or_oscillating(self) -> Self:
         for name in ("inner_speed", "outer_speed") if self.oscillation is not None else ():
             speed = getattr(self, name)
             if speed != 0.0:

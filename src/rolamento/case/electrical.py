@@ -1,7 +1,5 @@
 """Voltage and current across a bearing: the [electrical] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 from pydantic import Field

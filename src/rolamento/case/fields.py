@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
-from functools import cache, cached_property
-from typing import Any, Final, Literal, cast, get_args, get_origin
+from functools import cache, cached_property, lru_cache
+from typing import Any, Final, Literal, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
@@ -41,6 +41,7 @@ __all__ = [
     "Field",
     "Value",
     "changed",
+    "field_of",
     "fields_of",
     "in_file_form",
     "inline_value",
@@ -76,11 +77,6 @@ class Field:
     ----------
     name
         Dotted, such as ``"duty.load.fx"``.
-    kind
-        ``"number"`` of quantities and ratios, ``"count"``, ``"switch"``, ``"text"`` of choices
-        and names, ``"list"``.
-    bounds
-        The `Quantity` or `Ratio` of a number.
     replaces
         Names of the fields that a value of this one takes the place of.
     rivals
@@ -88,12 +84,20 @@ class Field:
     """
 
     name: str
-    kind: Kind
-    bounds: Quantity | Ratio | None
     replaces: tuple[str, ...]
     rivals: tuple[str, ...]
     _record: type[BaseModel]
     _info: FieldInfo
+
+    @cached_property
+    def kind(self) -> Kind:
+        """``"number"``, ``"count"``, ``"switch"``, ``"list"``; ``"text"`` of choices and names."""
+        return "number" if self.bounds is not None else _kind_of(self._info)
+
+    @cached_property
+    def bounds(self) -> Quantity | Ratio | None:
+        """The `Quantity` or `Ratio` of a number."""
+        return _bounds_in(self._info)
 
     @property
     def leaf(self) -> str:
@@ -230,43 +234,59 @@ def fields_of(record: type[Record]) -> Mapping[str, Field]:
     A record that may also be given as text is a field itself, beside its own. What stands in a
     list of tables is not distinguished.
     """
-    found = tuple(_fields_in(record, ""))
-    replaces = {name: others for name, others, *_ in found}
-    return {
-        name: Field(
-            name=name,
-            kind="number" if (bounds := _bounds_in(info)) is not None else _kind_of(info),
-            bounds=bounds,
-            replaces=others,
-            rivals=tuple(other for other in others if name in replaces.get(other, ())),
-            _record=holder,
-            _info=info,
-        )
-        for name, others, holder, info in found
-    }
+    found = {one.name: one for one in _fields_in(record, "")}
+    return {name: _field_found(one, found) for name, one in found.items()}
 
 
-_Found = tuple[str, tuple[str, ...], type[BaseModel], FieldInfo]
+@lru_cache(maxsize=1024)
+def field_of(record: type[Record], name: str) -> Field | None:
+    """Return one of the fields of a record by its dotted name; the others are not looked at."""
+    found = {one.name: one for one in _fields_in(record, "", name)}
+    if name not in found:
+        return None
+    others = found[name].others
+    found |= {one.name: one for other in others for one in _fields_in(record, "", other)}
+    return _field_found(found[name], found)
 
 
-def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
+class _Found(NamedTuple):
+    name: str
+    others: tuple[str, ...]
+    holder: type[BaseModel]
+    info: FieldInfo
+
+
+def _field_found(one: _Found, found: Mapping[str, _Found]) -> Field:
+    rivals = tuple(
+        other for other in one.others if other in found and one.name in found[other].others
+    )
+    return Field(one.name, one.others, rivals, one.holder, one.info)
+
+
+def _fields_in(record: type[BaseModel], table: str, name: str = "") -> Iterator[_Found]:
+    """The fields of a record; name: only that one, and what it stands in."""
     for leaf, info in record.model_fields.items():
-        is_list = _kind_of(info) == "list"
-        inner = () if is_list else records_of(info.annotation)
+        dotted = f"{table}{leaf}"
+        if name and name != dotted and not name.startswith(f"{dotted}."):
+            continue
+        inner = () if _is_list(info) else records_of(info.annotation)
         if not inner or getattr(inner[0], "has_short_form", False):
-            others = replaced(record, leaf)
-            dotted = (other if "." in other else f"{table}{other}" for other in others)
-            yield f"{table}{leaf}", tuple(dotted), record, info
+            others = (
+                other if "." in other else f"{table}{other}" for other in replaced(record, leaf)
+            )
+            yield _Found(dotted, tuple(others), record, info)
         known: dict[str, _Found] = {}
         for one in inner:  # what they have in common is one field
-            for found in _fields_in(one, f"{table}{leaf}."):
-                *first, words = known.setdefault(found[0], found)
-                known[found[0]] = cast("_Found", (*first, _of_both(words, found[-1])))
+            for found in _fields_in(one, f"{dotted}.", name):
+                first = known.setdefault(found.name, found)
+                known[found.name] = first._replace(info=_of_both(first.info, found.info))
         yield from known.values()
 
 
 def _of_both(first: FieldInfo, second: FieldInfo) -> FieldInfo:
     """The field of two records: the first one's, with the words that either may be."""
+    if first.annotation == second.annotation:
+        return first
     words = dict.fromkeys((*_choices_in(first.annotation), *_choices_in(second.annotation)))
     if len(words) == len({*_choices_in(first.annotation)}):
         return first
@@ -277,10 +297,14 @@ def _of_both(first: FieldInfo, second: FieldInfo) -> FieldInfo:
 
 def _kind_of(info: FieldInfo) -> Kind:
     """The kind of a field that is no number."""
-    types = set(_types_in(info.annotation))
-    if tuple in types:
+    if _is_list(info):
         return "list"
+    types = set(_types_in(info.annotation))
     return "switch" if bool in types else "count" if int in types else "text"
+
+
+def _is_list(info: FieldInfo) -> bool:
+    return tuple in _types_in(info.annotation)
 
 
 def _types_in(annotation: object) -> Iterator[object]:
@@ -300,7 +324,7 @@ def _choices_in(annotation: object) -> Iterator[str]:
 
 def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
     """The annotation that bounds a number; None of a list of them."""
-    if _kind_of(info) == "list":
+    if _is_list(info):
         return None
     return next(_numbers_in((*info.metadata, info.annotation)), None)
 
@@ -405,7 +429,7 @@ def changed(
 
 def _rivals(name: str, value: object, record: type[Record]) -> Iterator[str]:
     """The names of the fields that a value, or those of a table, take the place of."""
-    field = fields_of(record).get(name)
+    field = field_of(record, name)
     if field is not None and value is not None:
         yield from field.replaces
     for leaf, inner in value.items() if isinstance(value, Mapping) else ():
@@ -423,7 +447,7 @@ def in_file_form(name: str, value: Any, record: type[Record]) -> object:
     info, table = _info(name, record), _table(name, record, value)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)
-    if info is not None and _kind_of(info) == "list" and isinstance(value, list | tuple):
+    if info is not None and _is_list(info) and isinstance(value, list | tuple):
         return [_mapping_of(entry, record_for(info, entry)) for entry in value]
     field = _field(name, record)
     if getattr(value, "ndim", None) == 0:  # of NumPy
@@ -442,7 +466,7 @@ def _mapping_of(value: object, record: type[Record] | None) -> object:
 def _table(name: str, record: type[BaseModel], given: object = None) -> type[Record] | None:
     """Return the record of a table of that name; given: what is to be read as it."""
     info = _info(name, record)
-    return None if info is None or _kind_of(info) == "list" else record_for(info, given)
+    return None if info is None or _is_list(info) else record_for(info, given)
 
 
 def _info(name: str, record: type[BaseModel]) -> FieldInfo | None:
@@ -460,9 +484,10 @@ def _info(name: str, record: type[BaseModel]) -> FieldInfo | None:
 
 def _field(name: str, record: type[Record]) -> Field:
     """Return the field of a name; it must be neither a whole table nor a list."""
+    field = field_of(record, name)
+    if field is not None and field.kind != "list":
+        return field
     known = fields_of(record)
-    if name in known and known[name].kind != "list":
-        return known[name]
     parts = name.split(".")
     for depth, part in enumerate(parts):
         table = "".join(f"{above}." for above in parts[:depth])
@@ -492,7 +517,7 @@ def _field(name: str, record: type[Record]) -> Field:
 
 def _given(name: str, text: str, record: type[Record]) -> object:
     """Return what a setting gives: a value, or the table or list that TOML has in one line."""
-    field = fields_of(record).get(name)
+    field = field_of(record, name)
     is_list = field is not None and field.kind == "list"
     if text.startswith("[" if is_list else "{") and (is_list or _table(name, record) is not None):
         return inline_value(name, text, _INLINE_EXAMPLE)

@@ -1,7 +1,5 @@
 """How the lubricant film is calculated: the [film] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator

@@ -1,7 +1,5 @@
 """What a grease has to bear beside heat, load and speed: the [grease] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """Where the heat of a bearing goes: the [heat] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator

@@ -1,7 +1,5 @@
 """Inputs of the life calculation: the [life] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator

@@ -1,7 +1,5 @@
 """What a bearing loses beside its contacts: the [losses] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """Lubricants: named ones from a data file, or the values of a data sheet."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from math import isnan
 from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple, Self
@@ -185,12 +183,12 @@ class Lubricant(NamedRecord):
         return (*grades, *super().tables())
 
     @property
-    def oil(self) -> Lubricant:
+    def oil(self) -> "Lubricant":
         """The oil with everything that its base oil supplies; itself without a base oil."""
         return self if self.base_oil is None else self._with_base
 
     @cached_property
-    def _with_base(self) -> Lubricant:
+    def _with_base(self) -> "Lubricant":
         """Made once: a case asks for it a dozen times."""
         assert self.base_oil is not None
         base = Lubricant.named(self.base_oil).oil

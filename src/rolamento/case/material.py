@@ -1,7 +1,5 @@
 """Materials of rings and balls: named ones from a data file, or free values."""
 
-from __future__ import annotations
-
 from typing import Annotated, ClassVar, Final
 
 from pydantic import BeforeValidator, Field

@@ -1,7 +1,5 @@
 """Which of the rival models to use, and which effects to leave out."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator

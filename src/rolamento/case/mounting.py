@@ -1,7 +1,5 @@
 """How a bearing is mounted: the [mounting] table, with shaft and housing."""
 
-from __future__ import annotations
-
 from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import BeforeValidator, ConfigDict, Field, model_validator

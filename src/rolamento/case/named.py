@@ -1,7 +1,5 @@
 """Records that a data file knows by their names: materials, lubricants."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cache
 from typing import Any, ClassVar, Self

@@ -1,7 +1,5 @@
 """How a roller or a raceway departs from a straight generator, so that its ends do not dig in."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Final, Literal, Self, get_args

@@ -1,7 +1,5 @@
 """What stands at the head of a report: the [report] table of a case."""
 
-from __future__ import annotations
-
 from pydantic import Field
 
 from rolamento.case.quantity import Line

@@ -1,13 +1,11 @@
 """The internal geometry of a roller bearing: one row of rollers, or a set of rows on one shaft."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Final, Self, cast, get_args
+from typing import Annotated, Any, ClassVar, Final, cast, get_args
 
 import numpy as np
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import ConfigDict, Field
 
 from rolamento.case.arrangement import (
     Arrangement,
@@ -129,7 +127,7 @@ def _usual_inner_ribs(told: dict[str, Any]) -> Ribs:
     return "-" if _is_conical(told) else "none"
 
 
-def _too_small_a_circle(bearing: RollerBearing) -> InputError:
+def _too_small_a_circle(bearing: "RollerBearing") -> InputError:
     return InputError(
         said(
             "must be greater than the roller diameter, {roller_diameter}",
@@ -141,7 +139,7 @@ def _too_small_a_circle(bearing: RollerBearing) -> InputError:
     )
 
 
-def _too_many_rollers(bearing: RollerBearing) -> InputError:
+def _too_many_rollers(bearing: "RollerBearing") -> InputError:
     """Neighbouring rollers touch when D = d_pw sin(π/Z)."""
     room = math.floor(math.pi / math.asin(bearing.roller_diameter / bearing.pitch_diameter))
     return InputError(
@@ -168,7 +166,7 @@ def _cones_meet_the_axis(bearing: Any) -> Any:
     return (angle < 0.5 * math.pi) & (angle - 2.0 * half_angle > 0.0) & (half_angle >= 0.0)
 
 
-def _cones_do_not(bearing: RollerBearing) -> InputError:
+def _cones_do_not(bearing: "RollerBearing") -> InputError:
     if bearing.bearing_type.washers:
         return InputError(
             said("of rollers between washers is 90 deg"),
@@ -193,7 +191,7 @@ def _elastic_play(bearing: Any) -> Any:
     return True if play is None else roller_clearance_fits(play, bearing.roller_diameter)
 
 
-def _play_beyond(bearing: RollerBearing) -> InputError:
+def _play_beyond(bearing: "RollerBearing") -> InputError:
     limit = _MOST_INTERFERENCE * bearing.roller_diameter
     return InputError(
         said(
@@ -207,7 +205,7 @@ def _play_beyond(bearing: RollerBearing) -> InputError:
     )
 
 
-def _too_short(bearing: RollerBearing) -> InputError:
+def _too_short(bearing: "RollerBearing") -> InputError:
     return InputError(
         said(
             "must be at least the effective length, {effective_length}",
@@ -224,7 +222,7 @@ def _small_end(bearing: Any) -> Any:
     return bearing.roller_length * np.tan(half_angle) < bearing.roller_diameter
 
 
-def _no_small_end(bearing: RollerBearing) -> InputError:
+def _no_small_end(bearing: "RollerBearing") -> InputError:
     return InputError(
         said("leaves the rollers no small end; their length and diameter do not allow it"),
         field="roller_half_angle",
@@ -239,7 +237,7 @@ def _contact_height(bearing: Any) -> Any:
     return USUAL_RIB_HEIGHT * bearing.roller_diameter if given is None else given
 
 
-def _rib_too_high(bearing: RollerBearing) -> InputError:
+def _rib_too_high(bearing: "RollerBearing") -> InputError:
     return InputError(
         said(
             "must be less than half the roller diameter, {radius}",
@@ -256,7 +254,7 @@ def _end_reaches_rib(bearing: Any) -> Any:
     return True if radius is None else below_axis(bearing, _contact_height(bearing)) < radius
 
 
-def _end_too_small(bearing: RollerBearing) -> InputError:
+def _end_too_small(bearing: "RollerBearing") -> InputError:
     return InputError(
         said(
             "must be greater than {least}, the distance of the contact with the rib from "
@@ -307,7 +305,7 @@ def _arcs_are_open(bearing: Any) -> Any:
     )
 
 
-def _arcs_are_not(bearing: RollerBearing) -> InputError:
+def _arcs_are_not(bearing: "RollerBearing") -> InputError:
     profile, inner, outer = raceway_radii(bearing)
     least = 0.5 * bearing.roller_diameter
     return InputError(
@@ -324,7 +322,7 @@ def _arcs_are_not(bearing: RollerBearing) -> InputError:
     )
 
 
-def _check_rings(bearing: RollerBearing) -> None:
+def _check_rings(bearing: "RollerBearing") -> None:
     """A sphere about the centre follows, a torus is given; angles are of spherical rows."""
     kind = bearing.bearing_type
     if bearing.element != kind.element:
@@ -334,13 +332,6 @@ def _check_rings(bearing: RollerBearing) -> None:
             value=bearing.kind,
             example=f'element = "{kind.element}"',
         )
-    for name in ("arrangement", "rows", "preload"):
-        if bearing.kind is not None and getattr(bearing, name) is not None:
-            raise InputError(
-                said('does not go with kind = "{kind}"', kind=bearing.kind),
-                field=name,
-                example=said("leave it out, or leave out kind"),
-            )
     if kind.barrels and kind.aligns and bearing.outer_raceway_radius is not None:
         raise InputError(
             said("is not given of such a bearing: its outer race is a sphere about its centre"),
@@ -613,13 +604,8 @@ class RollerBearing(RollingBearing):
             return of_grooves(self.kind, self.element)
         return type_of_element(self.element)
 
-    @property
-    def places(self) -> tuple[RowPlace, ...]:
-        """The rows along +x, each as a bearing of one row; one if it is no set."""
-        if not self._set_by_kind:
-            return super().places
-        row = self.model_copy(update={"kind": None})
-        return rows_about_centre(row, self.row_angle)
+    def _rows_by_kind(self) -> tuple[RowPlace, ...]:
+        return rows_about_centre(self.model_copy(update={"kind": None}), self.row_angle)
 
     @property
     def element_count(self) -> int:
@@ -675,14 +661,10 @@ class RollerBearing(RollingBearing):
         )  # fmt: skip
         return tuple(name for name in names if name not in given)
 
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
+    def _check_fields(self) -> None:
         self._check_angles()
         _check_rings(self)
         self._check_play()
-        self.check_rules()
-        self.check_set()
-        return self
 
     def _check_angles(self) -> None:
         """Tapered rollers have their angles, others none."""

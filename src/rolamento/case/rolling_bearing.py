@@ -1,7 +1,5 @@
 """What ball and roller bearings have in common: a designation that fills fields in, and rows."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping
@@ -146,7 +144,7 @@ class RollingBearing(Record):
         def kind(self) -> Grooves | RollerRings | None:
             """Type of the grooves of balls."""
 
-    _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
+    _listed: "tuple[CatalogueBearing, ...]" = PrivateAttr(default=())
     """The records outside the built-in catalogue by which the designation was found."""
 
     @classmethod
@@ -201,7 +199,7 @@ class RollingBearing(Record):
         raise NotImplementedError
 
     @property
-    def element_material(self) -> Material:
+    def element_material(self) -> "Material":
         """Material of the rolling elements."""
         raise NotImplementedError
 
@@ -232,7 +230,7 @@ class RollingBearing(Record):
         }
 
     @property
-    def resolved(self) -> InternalGeometry | None:
+    def resolved(self) -> "InternalGeometry | None":
         """What the designation says, and the catalogue of it; None without one.
 
         Without balls where the user gave them all.
@@ -248,7 +246,7 @@ class RollingBearing(Record):
         )
 
     @property
-    def published(self) -> CatalogueBearing | None:
+    def published(self) -> "CatalogueBearing | None":
         """What the catalogue holds of the designation; None without one."""
         return None if self.resolved is None else self.resolved.bearing
 
@@ -282,21 +280,9 @@ class RollingBearing(Record):
         return listed(self._listed)
 
     @property
-    def element_rows(self) -> tuple[RowPlace, ...]:
-        """Those of the `places` that have elements of their own."""
-        return self.places
-
-    def check_rules(self) -> None:
-        """Refuse what no such bearing has.
-
-        Raises
-        ------
-        InputError
-            Of the first rule that is violated.
-        """
-        for rule in self.RULES:
-            if not rule.holds(self):
-                raise rule.refusal(self)
+    def element_rows(self) -> "tuple[RowPlace, ...]":
+        """Those of the `places` that have elements of their own: one of a four-point bearing."""
+        return self.places[:: self.bearing_type.contacts_per_ring]
 
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
@@ -338,9 +324,13 @@ class RollingBearing(Record):
         return len(self.places) if self.listed_type.rated_together else 1
 
     @property
-    def places(self) -> tuple[RowPlace, ...]:
+    def places(self) -> "tuple[RowPlace, ...]":
         """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
         return _places_of(self, frozenset(self.model_fields_set))
+
+    def _rows_by_kind(self) -> "tuple[RowPlace, ...]":
+        """The rows that follow from its kind, where any do."""
+        raise NotImplementedError
 
     def own_fields(self, index: int) -> frozenset[str]:
         """Return the fields of its geometry that a row does not take from the set."""
@@ -386,7 +376,7 @@ class RollingBearing(Record):
         """Add to what is filled in, or take away from it, by what both say together."""
 
     @classmethod
-    def _geometry(cls, designation: str, given: Mapping[str, Any]) -> InternalGeometry:
+    def _geometry(cls, designation: str, given: Mapping[str, Any]) -> "InternalGeometry":
         from rolamento.catalogue import geometry_of
 
         inside = _own_fields(given).issuperset(cls.INSIDE)
@@ -394,7 +384,7 @@ class RollingBearing(Record):
 
     @classmethod
     def _of_catalogue(
-        cls, geometry: InternalGeometry, given: Mapping[str, Any], *, in_file: bool
+        cls, geometry: "InternalGeometry", given: Mapping[str, Any], *, in_file: bool
     ) -> dict[str, Any]:
         """Return the fields that a designation gives and the user does not."""
         own = _own_fields(given)
@@ -462,14 +452,28 @@ class RollingBearing(Record):
         """Fields that follow from the others."""
         return ()
 
-    def check_set(self) -> None:
-        """Keep arrangement, rows and preload to what goes together.
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        """Keep fields, geometry and rows to what such a bearing has."""
+        for name in ("arrangement", "rows", "preload") if self.kind is not None else ():
+            if getattr(self, name) is not None:
+                raise InputError(
+                    said('does not go with kind = "{kind}"', kind=self.kind),
+                    field=name,
+                    example=said("leave it out, or leave out kind"),
+                )
+        self._check_fields()
+        for rule in self.RULES:
+            if not rule.holds(self):
+                raise rule.refusal(self)
+        self._check_set()
+        return self
 
-        Raises
-        ------
-        InputError
-            If they contradict each other.
-        """
+    def _check_fields(self) -> None:
+        """Keep the fields to those that such a bearing has."""
+
+    def _check_set(self) -> None:
+        """Keep arrangement, rows and preload to what goes together."""
         if self.arrangement is not None and self.rows is not None:
             raise InputError(
                 said("cannot be combined with rows listed one by one"),
@@ -556,7 +560,9 @@ def _own_fields(given: Mapping[str, Any]) -> set[str]:
     return {name for name, value in given.items() if value is not None}
 
 
-def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any] | None:
+def _listed_preload(
+    geometry: "InternalGeometry", given: Mapping[str, Any]
+) -> dict[str, Any] | None:
     """Return the preload that the letters name, if a maker lists it for this bearing."""
     level = geometry.designation.letters.preload_level
     if level is None or given.get("contact_angle") is not None:
@@ -565,7 +571,7 @@ def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dic
     return None if name is None else {"level": level, "designation": name}
 
 
-def _listed_for_preload(geometry: InternalGeometry, level: str) -> str | None:
+def _listed_for_preload(geometry: "InternalGeometry", level: str) -> str | None:
     """Return by which name a maker lists the preload of this bearing; None if none does."""
     angle = geometry.fields.get("contact_angle")
     listed = geometry.bearing.designation
@@ -576,7 +582,7 @@ def _listed_for_preload(geometry: InternalGeometry, level: str) -> str | None:
     return None
 
 
-def _preload_of_this(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any]:
+def _preload_of_this(geometry: "InternalGeometry", given: Mapping[str, Any]) -> dict[str, Any]:
     """Return a preload that gives a level alone as that of this bearing.
 
     Where no list has it, the message names the bearing that was looked for.
@@ -597,7 +603,7 @@ class RowPlace(NamedTuple):
     offset: how far it alone is pressed in; None where the preload says.
     """
 
-    bearing: Bearing | RollerBearing
+    bearing: "Bearing | RollerBearing"
     sign: float
     position: float
     phase: float
@@ -620,6 +626,8 @@ def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace
 
     given: the user's own fields, which bearings that are equal may differ in.
     """
+    if bearing._set_by_kind:
+        return bearing._rows_by_kind()
     rows = _rows(bearing)
     if rows is None:
         return (_placed(bearing, 1.0, 0.0, 0.0),)

@@ -1,7 +1,5 @@
 """What is asked of a bearing at rest: the [static] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

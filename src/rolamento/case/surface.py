@@ -1,7 +1,5 @@
 """How rough the surfaces are that roll on each other: the [surface] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Final, Literal
 
 from pydantic import Field

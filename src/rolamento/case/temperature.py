@@ -1,7 +1,5 @@
 """How warm a bearing runs: the [temperature] table of a case."""
 
-from __future__ import annotations
-
 from typing import Annotated, Final
 
 from pydantic import Field
@@ -52,7 +50,7 @@ class Temperature(Record):
     outer_spacer: _Celsius | None = Field(None, examples=["62 degC"])
 
     @property
-    def of_bearing(self) -> Temperature:
+    def of_bearing(self) -> "Temperature":
         """Those of the bearing and its lubricant, without the seats."""
         kept = {name: getattr(self, name) for name in ("lubricant", *_OF_BEARING)}
         return Temperature(**{name: warm for name, warm in kept.items() if warm is not None})

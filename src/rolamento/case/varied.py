@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case.case import Case
 from rolamento.case.duty import SHORT_NAMES
-from rolamento.case.fields import Field
+from rolamento.case.fields import Field, field_of
 from rolamento.case.hints import meant
 from rolamento.errors import InputError, UnknownKeyError, guess, nearest
+from rolamento.numerics.masked import may_be_masked
 from rolamento.units import to_si
 from rolamento.words import said
 
@@ -86,11 +87,10 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
         For an unknown field, what is no number, arrays of different lengths, or fields that
         exclude each other.
     """
-    fields = Case.fields()
     arrays: dict[str, Floats] = {}
     for key, value in (*_columns(values), *short.items()):
         name = SHORT_NAMES.get(key, key) if isinstance(key, str) else str(key)
-        field = fields.get(name)
+        field = field_of(Case, name)
         if field is None or not field.varies:
             known = (*SHORT_NAMES, *batch_fields())
             near = meant(name, batch_fields(), nearest(name, known))
@@ -134,10 +134,10 @@ def refuse_rivals(names: tuple[str, ...]) -> None:
     InputError
         Naming both.
     """
-    fields = Case.fields()
-    for index, name in enumerate(names):
+    for index, name in enumerate(names[1:], start=1):
+        field = field_of(Case, name)
         for before in names[:index]:
-            if before in fields[name].rivals:
+            if field is not None and before in field.rivals:
                 raise InputError(
                     said("cannot be combined with {before}", before=before),
                     field=name,
@@ -175,7 +175,7 @@ def _is_frozen(array: NDArray[Any]) -> bool:
 
 
 def _copied(field: Field, value: Any) -> Floats:
-    if isinstance(value, np.ma.MaskedArray):
+    if may_be_masked(value):
         plain, mask = value.data, np.ma.getmaskarray(value)
         if plain.dtype.kind in "OUT":
             plain = plain.astype(object)

@@ -432,16 +432,17 @@ def _spindle(
 
 
 @cache
-def _makers() -> str:
-    """Return an expression of the makers' names, the longest first."""
-    return "|".join(
-        sorted(map(re.escape, designation_data()["makers"]["names"]), key=len, reverse=True)
-    )
+def _makers() -> tuple[str, ...]:
+    """The makers' names, the longest first."""
+    return tuple(sorted(designation_data()["makers"]["names"], key=len, reverse=True))
 
 
 def _without_maker(text: str) -> tuple[str, str]:
     """Part a designation from the name of a maker before or behind it."""
-    names = _makers()
+    plain = text.casefold()
+    if not any(name.casefold() in plain for name in _makers()):
+        return text, ""
+    names = "|".join(map(re.escape, _makers()))
     before = re.match(rf"\(?({names})\)?[\s\-/:]*(?=[^\s\-/:)]*\d)(?![A-Z])", text, re.IGNORECASE)
     spaced = re.match(rf"\(?({names})\)?[\s\-/:]+(?=\S)", text, re.IGNORECASE)
     first = spaced or before

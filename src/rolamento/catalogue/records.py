@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field, fields
 from functools import cached_property
 from itertools import pairwise
@@ -308,9 +308,13 @@ class OwnRecords(Sequence[CatalogueBearing]):
     """
 
     def __init__(self, files: Mapping[str, str]) -> None:
-        self._rows = [row for source, text in files.items() for row in _OwnFile(text, source)]
+        self._rows = [
+            (file, line)
+            for file in (_OwnFile(text, source) for source, text in files.items())
+            for line in file.lines
+        ]
         self._made: dict[int, CatalogueBearing] = {}
-        self.designations = [cells[file.name_place] for file, cells in self._rows]
+        self.designations = [line.partition(",")[0] for _, line in self._rows]
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -324,31 +328,31 @@ class OwnRecords(Sequence[CatalogueBearing]):
             return [self[one] for one in range(*place.indices(len(self)))]
         place = range(len(self))[place]
         if place not in self._made:
-            file, cells = self._rows[place]
-            self._made.setdefault(place, file.record(cells))  # what another thread made first stays
+            file, line = self._rows[place]
+            self._made.setdefault(place, file.record(line))  # what another thread made first stays
         return self._made[place]
 
 
 class _OwnFile:
-    """A CSV file of this package: its rows, and what they mean."""
+    """A CSV file of this package: its rows, each of which begins with a designation; their meaning.
+
+    A row is taken apart when its bearing is asked for.
+    """
 
     def __init__(self, text: str, source: str) -> None:
         lines = [line for line in text.splitlines() if line]
         remarks = (line.lstrip("# ").partition(":") for line in lines if line.startswith("#"))
         self._source = source
         self._said = {name: value.strip() for name, colon, value in remarks if colon}
-        self._header, *self._rows = csv.reader(line for line in lines if not line.startswith("#"))
-        self.name_place = self._header.index("designation")
-
-    def __iter__(self) -> Iterator[tuple[_OwnFile, list[str]]]:
-        return ((self, cells) for cells in self._rows)
+        self._header, *self.lines = (line for line in lines if not line.startswith("#"))
 
     @cached_property
     def _columns(self) -> Mapping[int, CatalogueColumn]:
-        return columns_of(self._header, self._said.get("units", ""))
+        return columns_of(self._header.split(","), self._said.get("units", ""))
 
-    def record(self, cells: Sequence[str]) -> CatalogueBearing:
+    def record(self, line: str) -> CatalogueBearing:
         """Return the bearing of a row."""
+        (cells,) = csv.reader([line])
         texts: dict[str, str] = {
             name: self._said[name] for name in _TEXTS[1:] if name in self._said
         }

@@ -24,15 +24,10 @@ _SIZES: Final = ("bore", "outer", "width")
 
 
 @cache
-def _numbers() -> tuple[tuple[re.Pattern[str], re.Pattern[str] | None, Mapping[str, Any]], ...]:
-    """Patterns of each kind's number and of the letters behind it, with what is said of it."""
+def _numbers() -> tuple[tuple[re.Pattern[str], Mapping[str, Any]], ...]:
+    """Pattern of each kind's number, with what is said of it."""
     return tuple(
-        (
-            re.compile(one["pattern"] + _REST),
-            re.compile(one["letters"]) if "letters" in one else None,
-            one,
-        )
-        for one in designation_data()["roller_number"]
+        (re.compile(one["pattern"] + _REST), one) for one in designation_data()["roller_number"]
     )
 
 
@@ -85,12 +80,10 @@ def roller_number_of(plain: str, joined: str, maker: str = "") -> RollerNumber |
     """
     if _STROKE.search(plain):  # 322/28, not 32228
         joined = "/".join("|".join(groups_of(part)) for part in _STROKE.split(plain))
-    for pattern, letters, one in _numbers():
+    for pattern, one in _numbers():
         found = pattern.fullmatch(joined)
         if found is not None:
-            return (
-                _by_sizes(one, found) if "names" in one else _of_series(one, letters, found, maker)
-            )
+            return _by_sizes(one, found) if "names" in one else _of_series(one, found, maker)
     return None
 
 
@@ -104,9 +97,7 @@ def _by_sizes(one: Mapping[str, Any], found: re.Match[str]) -> RollerNumber:
     )  # fmt: skip
 
 
-def _of_series(
-    one: Mapping[str, Any], pattern: re.Pattern[str] | None, found: re.Match[str], maker: str
-) -> RollerNumber:
+def _of_series(one: Mapping[str, Any], found: re.Match[str], maker: str) -> RollerNumber:
     told = found.groupdict()
     series, rest = told["series"], told["rest"] or ""
     bore = told["bore"] or told.get("millimetres") or ""
@@ -114,7 +105,7 @@ def _of_series(
     type_ = told.get("type") or ""
     number = f"{type_}{series}{place}"
     letters, design = _meant("roller_types", type_), ""
-    own = None if pattern is None else pattern.match(rest)
+    own = re.match(one["letters"], rest) if "letters" in one else None
     if own is not None:
         parts = [part for part in own.groupdict().values() if part]
         design = (own["design"] or "").replace("|", "")

@@ -457,7 +457,7 @@ def built_in_catalogue() -> Catalogue:
     """Return the catalogue that comes with the package."""
     folder = resources.files("rolamento") / "data" / "catalogue"
     files = {file.name: file for file in folder.iterdir() if file.name.endswith(".csv")}
-    own = OwnRecords({name: files[name].read_text(encoding="utf-8") for name in sorted(files)})
+    own = OwnRecords({name: files[name].read_bytes().decode("utf-8") for name in sorted(files)})
     return Catalogue(own, each_folded(own.designations))
 
 

@@ -339,9 +339,9 @@ def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
     """Diameters of the raceways, what an element takes of the radius between them, the clearance.
 
     All in m, numbers or arrays. Balls: at the bottom of the grooves, D. Rollers, whose axis is at β
-    to the bearing's, that of barrels at the contact angle: d_pw ∓ D_we cos β in the middle of their
-    length, D_we cos β, beside which the clearance is nothing; that of a tapered row counts from
-    first contact.
+    to the bearing's, that of barrels at the contact angle: d_pw - D_we cos β on the inner ring, in
+    the middle of their length, D_we cos β, and what the clearance leaves around them; that of a
+    tapered row counts from first contact.
     """
     if bearing.bearing_type.has_rollers:
         lean = 0.0
@@ -351,7 +351,8 @@ def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
             lean = bearing.contact_angle
         across = bearing.roller_diameter * np.cos(lean)
         clearance = 0.0 if bearing.bearing_type.conical else bearing.diametral_clearance
-        return bearing.pitch_diameter - across, bearing.pitch_diameter + across, across, clearance
+        inner = bearing.pitch_diameter - across
+        return inner, inner + 2.0 * across + clearance, across, clearance
     angle, clearance = bearing.contact_angle, bearing.diametral_clearance
     places = groove_places(
         bearing.ball_diameter,

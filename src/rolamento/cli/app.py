@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import atexit
-import gc
-import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
@@ -134,9 +131,6 @@ _SOLVING: Final = {
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 
-_LITTLE_GARBAGE: Final = 250_000
-"""Objects made between two looks for garbage: nearly all that a start makes stay."""
-
 
 class _Commands(Mapping[str, Any]):
     """The commands of the program; the module of one is imported when it is asked for."""
@@ -200,11 +194,8 @@ app = typer.Typer(
 )
 
 
-def main() -> None:
-    """Run the command line."""
-    gc.set_threshold(_LITTLE_GARBAGE)
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "1")  # else all that is installed is searched
-    atexit.register(gc.freeze)  # at the end all memory is given back: nobody has to search it
+def run() -> None:
+    """Run the command that the process was called with, and end the process."""
     try:
         app(prog_name="rolamento")
     except SystemExit as end:

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import fields
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import Annotated, Any, Final
 
 import typer
 
 from rolamento.errors import InputError
-from rolamento.records import frozen
 from rolamento.words import said
-
-if TYPE_CHECKING:
-    pass
 
 __all__ = ["CASE_OPTIONS", "SHORT_FORMS", "CaseOptions"]
 
@@ -32,62 +27,44 @@ SHORT_FORMS: Final = {field: option for option, field, _ in _FIELDS.values()}
 """Options by the fields of a case that they give."""
 
 
-@frozen
-class CaseOptions:
-    """What options say of a case: its load, speeds and oil, any other field, own catalogues."""
+def _option(name: str, metavar: str, help: str, *, many: bool = False) -> Any:
+    """Return the annotation of an option that may be left out."""
+    kind: Any = list[str] if many else str
+    return Annotated[kind | None, typer.Option(name, metavar=metavar, help=help)]
 
-    fr: Annotated[
-        str | None,
-        typer.Option("--fr", metavar="FORCE", help="Radial load Fr (along z), such as '5 kN'."),
-    ] = None
-    fa: Annotated[
-        str | None,
-        typer.Option("--fa", metavar="FORCE", help="Axial load Fa (along x), such as '1 kN'."),
-    ] = None
-    moment: Annotated[
-        str | None,
-        typer.Option("--moment", metavar="MOMENT", help="Moment about y, such as '20 N m'."),
-    ] = None
-    speed: Annotated[
-        str | None,
-        typer.Option(
-            "--speed", metavar="SPEED", help="Speed of the inner ring, such as '1797 rpm'."
-        ),
-    ] = None
-    outer_speed: Annotated[
-        str | None,
-        typer.Option(
-            "--outer-speed", metavar="SPEED", help="Speed of the outer ring, with its sign."
-        ),
-    ] = None
-    temperature: Annotated[
-        str | None,
-        typer.Option(
-            "--temperature",
-            metavar="TEMPERATURE",
-            help="Temperature of the lubricant, such as '70 degC'.",
-        ),
-    ] = None
-    lubricant: Annotated[
-        str | None,
-        typer.Option(
-            "--lubricant", metavar="NAME", help="Oil or grease by its name, such as 'ISO VG 68'."
-        ),
-    ] = None
-    catalogue: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--catalogue",
-            metavar="FILE",
-            help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
-        ),
-    ] = None
-    set: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."
-        ),
-    ] = None
+
+CASE_OPTIONS: Final[Mapping[str, Any]] = {
+    "fr": _option("--fr", "FORCE", "Radial load Fr (along z), such as '5 kN'."),
+    "fa": _option("--fa", "FORCE", "Axial load Fa (along x), such as '1 kN'."),
+    "moment": _option("--moment", "MOMENT", "Moment about y, such as '20 N m'."),
+    "speed": _option("--speed", "SPEED", "Speed of the inner ring, such as '1797 rpm'."),
+    "outer_speed": _option("--outer-speed", "SPEED", "Speed of the outer ring, with its sign."),
+    "temperature": _option(
+        "--temperature", "TEMPERATURE", "Temperature of the lubricant, such as '70 degC'."
+    ),
+    "lubricant": _option("--lubricant", "NAME", "Oil or grease by its name, such as 'ISO VG 68'."),
+    "catalogue": _option(
+        "--catalogue",
+        "FILE",
+        "A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+        many=True,
+    ),
+    "set": _option("--set", "KEY=VALUE", "Override a field of the case. Repeatable.", many=True),
+}
+"""Options by their parameters, in the order of the help."""
+
+
+class CaseOptions:
+    """What options say of a case: its load, speeds and oil, any other field, own catalogues.
+
+    Parameters
+    ----------
+    given
+        Values of `CASE_OPTIONS`; what is missing is not given.
+    """
+
+    def __init__(self, given: Mapping[str, Any]) -> None:
+        self._given = given
 
     @property
     def settings(self) -> tuple[str, ...]:
@@ -98,11 +75,11 @@ class CaseOptions:
         InputError
             If an option and ``--set`` give one field.
         """
-        own = tuple(self.set or ())
+        own = tuple(self._given.get("set") or ())
         named = {one.partition("=")[0].strip() for one in own}
         found = []
         for parameter, (option, field, example) in _FIELDS.items():
-            value = getattr(self, parameter)
+            value = self._given.get(parameter)
             if value is None:
                 continue
             if field in named:
@@ -124,16 +101,17 @@ class CaseOptions:
             raise self._in_options(error) from None
 
     def _catalogues(self) -> AbstractContextManager[object]:
-        if not self.catalogue:
+        own = self._given.get("catalogue")
+        if not own:
             return nullcontext()
         from rolamento.catalogue import catalogues
 
-        return catalogues(self.catalogue)
+        return catalogues(own)
 
     def _in_options(self, error: InputError) -> InputError:
         """Name a field that an option gave in the words of that option."""
         for parameter, (option, field, example) in _FIELDS.items():
-            given = getattr(self, parameter)
+            given = self._given.get(parameter)
             if given is not None and error.field == field and error.source in ("", "--set"):
                 return error.with_details(
                     source=option, field="", value=given, example=f"{option} '{example}'"
@@ -150,7 +128,3 @@ def _refuse_thousands(text: str, option: str) -> None:
     except InputError as error:
         example = f"{option} '{error.example}'" if option != "--set" else error.example
         raise error.with_details(source=option, example=example) from None
-
-
-CASE_OPTIONS: Final = tuple(one.name for one in fields(CaseOptions))
-"""The names of their parameters, for the groups of a help."""

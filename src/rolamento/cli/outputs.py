@@ -14,6 +14,7 @@ from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
 from rolamento.io.writing import write_bytes
 from rolamento.records import frozen
+from rolamento.validate import one_of
 from rolamento.words import marked, said
 from rolamento.words.naming import listed
 
@@ -173,9 +174,7 @@ def _mark(option: str, given: str, marks: Mapping[str, str]) -> str:
     """Return a mark that is given by its name or as it is."""
     if given in marks.values():
         return given
-    if given not in marks:
-        names = ", ".join(marks)
-        raise InputError(said("must be one of {names}", names=names), source=option, value=given)
+    one_of(given, "", marks, source=option)
     return marks[given]
 
 

@@ -25,7 +25,7 @@ from rolamento.cli.common import (
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import InputError
+from rolamento.errors import InputError, UnknownKeyError
 from rolamento.io.writing import write_text
 from rolamento.words import said
 
@@ -56,7 +56,7 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     def command(**typed: Any) -> None:
         lang, json = typed.pop("lang"), typed.pop("json", None)
         own = {one: typed.pop(one) for one in CASE_OPTIONS if one not in inputs and one in typed}
-        given = CaseOptions(**own)
+        given = CaseOptions(own)
         outputs = Outputs(**{one: typed.pop(one) for one in OUTPUT_OPTIONS if one in typed})
         with plain_endings(lang), given.in_force(), _in_options(request, typed):
             files = {f"--{one}": typed.pop(one) for one in request.products}
@@ -90,24 +90,24 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 json = STANDARD_STREAM  # what another target holds is its JSON
             if json is not None:
                 put(asked.json_text(found) + "\n", json)
-            taken, has_page = (json, target, *files.values()), asked.has_page(found)
+            elsewhere, has_page = (json, target, *files.values()), asked.has_page(found)
             if has_page:
-                outputs.show(lambda: asked.page(found), *taken, report=asked.report(found))
-            if STANDARD_STREAM not in taken:
+                outputs.show(lambda: asked.page(found), *elsewhere, report=asked.report(found))
+            if STANDARD_STREAM not in elsewhere:
                 print_text(asked.closing(found))
             complaint = asked.complaint(found)
-            if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *taken)):
+            if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *elsewhere)):
                 for line in complaint.splitlines():
                     complain(line)
         raise typer.Exit(SOLVED if asked.has_result(found) else NO_RESULT)
 
-    inputs = request.inputs()
-    command.__signature__ = _signature(request)  # type: ignore[attr-defined]
+    inputs, taken = request.inputs(), _signature(request)
+    command.__signature__ = taken  # type: ignore[attr-defined]
     command.__name__, command.__doc__ = name, request.summary()
     groups: dict[str, tuple[str, ...]] = request.options_by_heading()
-    written = (*request.products, *(("write",) if request.ships else ()))
-    targets = groups.pop("Output", ())
-    groups["Output"] = (*targets, *written, "json", *OUTPUT_OPTIONS, "lang", "help")
+    written = (*request.products, "write", "json", *OUTPUT_OPTIONS, "lang")
+    there = (one for one in written if one in taken.parameters)
+    groups["Output"] = (*groups.pop("Output", ()), *there, "help")
     if request.takes_case:
         first = next(iter(groups))
         groups[first] += tuple(name for name in CASE_OPTIONS if name not in inputs)
@@ -132,8 +132,8 @@ def options_of(request: type[Request]) -> dict[str, inspect.Parameter]:
 
 def _signature(request: type[Request]) -> inspect.Signature:
     """Return all that the command of a request takes; a field goes over a common option."""
-    common = _parameters(CaseOptions) if request.takes_case else {}
-    found = {**common, **options_of(request)}
+    common = CASE_OPTIONS if request.takes_case else {}
+    found = {name: _with(name, one, None) for name, one in common.items()} | options_of(request)
     found |= {name: _product(name, one.meaning) for name, one in request.products.items()}
     if request.ships:
         found["write"] = _product("write", "Write the example as CSV instead.")
@@ -200,6 +200,8 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
         yield
     except InputError as error:
         of_column = error.field in request.columns and error.source not in ("", *options)
+        if error.line is not None or isinstance(error, UnknownKeyError):
+            raise  # of a file, whose fields may be called as those of the request
         is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options
         named = {name: one for name, one in named.items() if not is_file or name != error.source}

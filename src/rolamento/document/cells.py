@@ -69,20 +69,21 @@ def cells(column: Column) -> list[str]:
     if any(isinstance(value, Number) for value in column.values):
         own = [not isinstance(value, str) for value in column.values]
         numbers = [text for text, numeric in zip(texts, own, strict=True) if numeric and text]
-        lined = iter(_in_line(numbers))
+        lined = aligned(numbers, manner().mark)
+        wider = max(map(len, lined), default=0) - max(map(len, numbers), default=0)
+        written = iter(lined if wider <= _MOST_WIDER else numbers)
         texts = [
-            next(lined) if numeric and text else text
+            next(written) if numeric and text else text
             for text, numeric in zip(texts, own, strict=True)
         ]
     if column.once:
         texts = ["" if row and text == texts[row - 1] else text for row, text in enumerate(texts)]
-    return [_centred_dash(text, texts) for text in texts] if is_numeric(column) else texts
-
-
-def _in_line(texts: Sequence[str]) -> Sequence[str]:
-    lined = aligned(texts, manner().mark)
-    wider = max(map(len, lined), default=0) - max(map(len, texts), default=0)
-    return lined if wider <= _MOST_WIDER else texts
+    if not is_numeric(column):
+        return texts
+    longest = max(texts, key=len)  # a dash stands below the last digit before the decimal mark
+    tail = len(longest) - max(longest.find("."), longest.find(","))
+    dash = ABSENT + " " * (tail if tail <= len(longest) else 0)
+    return [dash if text == ABSENT else text for text in texts]
 
 
 def cell(value: CellContent, unit: str = "", decimals: int = 0) -> str:
@@ -238,12 +239,3 @@ def indexed(text: str) -> Sequence[tuple[str, str]]:
 
 def _formed(value: CellContent, form: str) -> CellContent:
     return Number(float(value), form) if isinstance(value, float | int) else value
-
-
-def _centred_dash(text: str, texts: Sequence[str]) -> str:
-    """Put a dash below the last digit before the decimal mark, as far as that is known."""
-    if text != ABSENT:
-        return text
-    longest = max(texts, key=len)
-    tail = len(longest) - max(longest.find("."), longest.find(","))
-    return text + " " * (tail if tail <= len(longest) else 0)

@@ -439,7 +439,8 @@ def _equation(block: Equation) -> str:
         shown = _element("div", _text(block.plain), classes="formula plain")
     else:
         label = escape(_plain(block.plain))
-        shown = _element("div", drawn.svg(f' role="img" aria-label="{label}"'), classes="formula")
+        drawing = drawn.svg(f' role="img" aria-label="{label}"')
+        shown = _element("div", drawing, classes="formula", tabindex="0")  # it may scroll
     number = f'<div class="number">({block.number})</div>' if block.number else ""
     parts = [_element("p", _text(block.name), classes="name")] if block.name else []
     parts.append(_element("div", shown + number, classes="set"))

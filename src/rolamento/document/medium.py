@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import unicodedata
-from typing import Final, Literal, TextIO
+from typing import Final, TextIO
 
 from rolamento.errors import printable
 from rolamento.records import frozen
 
 __all__ = ["Medium"]
-
-ColorSystem = Literal["auto", "standard", "256", "truecolor", "windows"]
 
 NARROWEST: Final = 80
 WIDEST: Final = 120
@@ -36,27 +35,21 @@ class Medium:
     width
         In characters.
     colors
-        As Rich names them; ``None`` for plain text.
+        Whether it shows them.
     encoding
         Of what is written there.
     """
 
     width: int = NARROWEST
-    colors: ColorSystem | None = None
+    colors: bool = False
     encoding: str = "utf-8"
 
     @classmethod
-    def of(cls, stream: TextIO) -> Medium:
+    def of(cls, stream: TextIO | None) -> Medium:
         """Find out what a stream can show; a pipe or a file gets plain text."""
-        from rich.console import Console
-
-        console = Console(file=stream)
-        colors: dict[str | None, ColorSystem] = {
-            "standard": "standard", "256": "256", "truecolor": "truecolor", "windows": "windows"
-        }  # fmt: skip
         return cls(
-            width=min(max(console.width, NARROWEST), WIDEST),
-            colors=None if console.no_color else colors.get(console.color_system),
+            width=min(max(_columns(), NARROWEST), WIDEST),
+            colors=_has_colors(stream),
             encoding=getattr(stream, "encoding", None) or sys.getdefaultencoding(),
         )
 
@@ -89,3 +82,24 @@ class Medium:
             return plainer
         base = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
         return base or "?"
+
+
+def _columns() -> int:
+    """The width that the user gives, or that of the terminal at any of the standard streams."""
+    given = os.environ.get("COLUMNS", "")
+    if given.isdigit():
+        return int(given)
+    for descriptor in range(3):
+        try:
+            return os.get_terminal_size(descriptor).columns
+        except (OSError, ValueError):
+            continue
+    return NARROWEST
+
+
+def _has_colors(stream: TextIO | None) -> bool:
+    """By `NO_COLOR <https://no-color.org>`_, `FORCE_COLOR <https://force-color.org>`_ and TERM."""
+    if os.environ.get("NO_COLOR") or os.environ.get("TERM", "").lower() in ("dumb", "unknown"):
+        return False
+    forced = os.environ.get("FORCE_COLOR")
+    return bool(forced) if forced is not None else stream is not None and stream.isatty()

@@ -1,20 +1,16 @@
 """Documents as text for a terminal, a pipe or a file.
 
-Lines are set here and not by Rich's tables, which take longer for sixty balls than the solver
-does; Rich does the colours.
+Lines are set here and not by Rich: its tables take longer for sixty balls than the solver does,
+its import and its texts as long as one solution.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from io import StringIO
-from itertools import zip_longest
+from itertools import groupby, zip_longest
 from textwrap import wrap
-from typing import Final, TypeAlias
-
-from rich.console import Console
-from rich.text import Text
+from typing import ClassVar, Final, TypeAlias
 
 from rolamento.document.cells import (
     PEAK,
@@ -47,26 +43,34 @@ from rolamento.document.model import (
     Title,
     Tone,
 )
+from rolamento.records import frozen
 from rolamento.words import ABSENT, speaking
 
 __all__ = ["terminal"]
 
-Lines: TypeAlias = list[Text]
+Line: TypeAlias = tuple[tuple[str, str], ...]
+"""Pieces of text, each with its style: what stands between ``ESC [`` and ``m`` (ECMA-48, SGR)."""
+Lines: TypeAlias = list[Line]
 
-STYLES: Final[dict[Tone, str]] = {
+_BOLD: Final = "1"
+_DIM: Final = "2"
+_CYAN: Final = "36"
+_YELLOW: Final = "33"
+_STYLES: Final[dict[Tone, str]] = {
     "": "",
-    "strong": "bold",
-    "faint": "dim",
-    "mark": "cyan",
-    "good": "green",
-    "good-strong": "bold green",
-    "warning": "yellow",
-    "warning-strong": "bold yellow",
-    "bad": "red",
-    "bad-strong": "bold red",
-    "peak": "bold magenta",
+    "strong": _BOLD,
+    "faint": _DIM,
+    "mark": _CYAN,
+    "good": "32",
+    "good-strong": "1;32",
+    "warning": _YELLOW,
+    "warning-strong": "1;33",
+    "bad": "31",
+    "bad-strong": "1;31",
+    "peak": "1;35",
 }
-_HEADING: Final = "bold cyan"
+_HEADING: Final = "1;36"
+_EMPTY: Final[Line] = ()
 _BULLET: Final = "  • "
 _LONGEST_BAR: Final = 20
 _EIGHTHS: Final = " ▏▎▍▌▋▊▉"
@@ -87,56 +91,42 @@ def terminal(document: Document, medium: Medium | None = None) -> str:
         medium = medium or Medium()
         setter = _Setter(medium)
         parts = [setter.part(one, medium.width) for one in document.sections]
-        return _coloured(medium, [part for part in parts if part])
+        return "".join(f"{_written(line, medium.colors)}\n" for line in _joined(parts))
 
 
-def _coloured(medium: Medium, parts: Sequence[Lines]) -> str:
-    """Return the parts one below the other, with an empty line between them."""
-    console = Console(
-        file=StringIO(),
-        width=medium.width,
-        color_system=medium.colors,
-        force_terminal=medium.colors is not None,
-        no_color=medium.colors is None,
-        legacy_windows=False,
-        highlight=False,
-        markup=False,
-        emoji=False,
+def _written(line: Line, colors: bool) -> str:
+    """Return a line as text without blanks at its end."""
+    if not colors:
+        return _plain(line).rstrip()
+    pieces = list(line)
+    while pieces and not pieces[-1][0].rstrip():
+        pieces.pop()
+    if pieces:
+        last, style = pieces[-1]
+        pieces[-1] = last.rstrip(), style
+    return "".join(
+        f"\x1b[{style}m{text}\x1b[0m" if style else text
+        for style, same in groupby(pieces, key=lambda piece: piece[1])
+        if (text := "".join(part for part, _ in same))
     )
-    with console.capture() as capture:
-        for number, part in enumerate(parts):
-            for line in [Text(), *part] if number else part:
-                line.rstrip()
-                console.print(line, no_wrap=True, overflow="ignore", crop=False)
-    return capture.get()
 
 
+@frozen
 class _Setter:
     """Sets blocks as lines of characters, for one medium."""
 
-    def __init__(self, medium: Medium) -> None:
-        self._medium = medium
-        self._by_block: dict[type, Callable[..., Lines]] = {
-            Title: self._title,
-            Statement: self._statement,
-            KeyValues: self._key_values,
-            Table: self._table,
-            Bars: self._bars,
-            Figure: self._figure,
-            Notes: self._notes,
-            Equation: self._equation,
-            Links: self._links,
-        }
+    medium: Medium
 
     def part(self, one: Section | Beside, width: int) -> Lines:
         """Set a section, or sections beside each other where there is room."""
         if isinstance(one, Section):
             return self._section(one, width)
         left = self._stacked(one.left, width)
-        room = width - max(map(len, left), default=0) - one.gap
-        if _least_width(one.right) <= room:
+        room = width - _widest(left) - one.gap
+        sketches = (b for own in one.right for b in own.blocks if isinstance(b, Figure))
+        if max((sketch.width for sketch in sketches), default=0) <= room:
             right = self._stacked(one.right, room)
-            if max(map(len, right), default=0) <= room:
+            if _widest(right) <= room:
                 return _beside(left, right, one.gap)
         return _joined([left, self._stacked(one.right, width)])
 
@@ -148,43 +138,41 @@ class _Setter:
         if section.heading and section.level == 1:
             heading = self._title(Title(section.heading), width)
         elif section.heading:
-            heading = self._hanging(Text(), section.heading, width, _HEADING)
-        return [*heading, *(line for block in section.blocks for line in self._block(block, width))]
-
-    def _block(self, block: Block, width: int) -> Lines:
-        return self._by_block[type(block)](block, width)
+            heading = self._hanging(_EMPTY, section.heading, width, _HEADING)
+        parts = (self._BLOCKS[type(block)](self, block, width) for block in section.blocks)
+        return [*heading, *(line for part in parts for line in part)]
 
     # --- texts ------------------------------------------------------------------------------
 
-    def _text(self, content: str, style: str = "") -> Text:
-        """Return plain text that the medium can show: never read as markup."""
-        return Text(self._medium.fitted(content), style)
+    def _text(self, content: str, style: str = "") -> Line:
+        """Return text that the medium can show."""
+        return ((self.medium.fitted(content), style),)
 
-    def _hanging(self, label: Text, content: str, width: int, style: str = "") -> Lines:
+    def _hanging(self, label: Line, content: str, width: int, style: str = "") -> Lines:
         """Break a text into lines that begin to the right of its label."""
+        margin = _size(label)
         pieces = [
             piece
-            for line in self._medium.fitted(content).split("\n")
-            for piece in wrap(line, max(width - len(label), 8), break_on_hyphens=False) or [""]
+            for line in self.medium.fitted(content).split("\n")
+            for piece in wrap(line, max(width - margin, 8), break_on_hyphens=False) or [""]
         ]
-        margins = [label] + [Text(" " * len(label))] * (len(pieces) - 1)
         return [
-            Text.assemble(margin, (piece, style))
-            for margin, piece in zip(margins, pieces, strict=True)
+            (*(_blank(margin) if number else label), (piece, style))
+            for number, piece in enumerate(pieces)
         ]
 
-    def _rule(self, width: int) -> Text:
-        return self._text((_RULE if self._medium.shows(_RULE) else "-") * width, "dim")
+    def _rule(self, width: int) -> Line:
+        return self._text((_RULE if self.medium.shows(_RULE) else "-") * width, _DIM)
 
     def _title(self, block: Title, width: int) -> Lines:
-        return [*self._hanging(Text(), block.text, width, "bold"), self._rule(width)]
+        return [*self._hanging(_EMPTY, block.text, width, _BOLD), self._rule(width)]
 
     def _statement(self, block: Statement, width: int) -> Lines:
         mark = f"{block.mark} " if block.mark else ""
-        label = self._text(" " * block.indent + mark, STYLES[block.mark_tone or block.tone])
+        label = self._text(" " * block.indent + mark, _STYLES[block.mark_tone or block.tone])
         if block.verbatim:
             return [label + self._text(line) for line in block.text.split("\n")]
-        return self._hanging(label, block.text, width, STYLES[block.tone])
+        return self._hanging(label, block.text, width, _STYLES[block.tone])
 
     def _key_values(self, block: KeyValues, width: int) -> Lines:
         longest = max((len(entry.label) for entry in block.entries), default=0)
@@ -192,15 +180,15 @@ class _Setter:
         for entry in block.entries:
             label = f"{' ' * block.indent}{entry.label:{longest}}  "
             content = entry.content if isinstance(entry.content, str) else cell(entry.content)
-            own = self._text(label, STYLES[block.label_tone])
-            lines += self._hanging(own, content, width, STYLES[entry.tone])
+            own = self._text(label, _STYLES[block.label_tone])
+            lines += self._hanging(own, content, width, _STYLES[entry.tone])
         return lines
 
     def _notes(self, block: Notes, width: int) -> Lines:
         lines: Lines = []
         for remark in block.remarks:
             lines += self._hanging(
-                self._text(_BULLET, "yellow"), remark.text, width, STYLES[remark.tone]
+                self._text(_BULLET, _YELLOW), remark.text, width, _STYLES[remark.tone]
             )
         return lines
 
@@ -210,10 +198,10 @@ class _Setter:
         longest = max((len(one.symbol) for one in block.symbols), default=0)
         for one in block.symbols:
             meaning = f"{one.meaning} [{one.unit}]" if one.unit else one.meaning
-            symbol = self._text(f"{' ' * 7}{one.symbol:{longest}}  ", "dim")
-            lines += self._hanging(symbol, meaning, width, "dim")
+            symbol = self._text(f"{' ' * 7}{one.symbol:{longest}}  ", _DIM)
+            lines += self._hanging(symbol, meaning, width, _DIM)
         behind = "; ".join(part for part in (block.name, block.source, block.valid) if part)
-        return lines + self._hanging(Text(" " * 7), behind, width, "dim")
+        return lines + self._hanging(_blank(7), behind, width, _DIM)
 
     def _links(self, block: Links, width: int) -> Lines:
         return [
@@ -225,9 +213,9 @@ class _Setter:
     def _figure(self, block: Figure, width: int) -> Lines:
         if block.sketch is None:
             return []
-        drawn = block.sketch(width, self._medium.draws)
+        drawn = block.sketch(width, self.medium.draws)
         return [
-            Text.assemble(*((self._medium.fitted(text), STYLES[tone]) for text, tone in line))
+            tuple((self.medium.fitted(text), _STYLES[tone]) for text, tone in line)
             for line in drawn
         ]
 
@@ -237,18 +225,20 @@ class _Setter:
         if block.only_in_files:
             return []
         lines: Lines = []
-        for heading, part in broken(block, lambda table: self._fits(table, width)):
+        for heading, part in broken(
+            block, lambda table: _width(self._set_columns(table), table) <= width
+        ):
             table = self._set_columns(part)
-            part = _closer(table, part, width)
+            if _width(table, part) > width:  # closer to each other, then to the margin
+                part = replace(part, gap=1)
+            if _width(table, part) > width:
+                part = replace(part, indent=0)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
-            lines += [Text()] if lines else []
+            lines += [_EMPTY] if lines else []
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines
-
-    def _fits(self, block: Table, width: int) -> bool:
-        return _width(self._set_columns(block), block) <= width
 
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
@@ -256,15 +246,15 @@ class _Setter:
         heads = 0 if block.headless else _head_lines(block) + has_unit_line(block)
         head, body = [line for lines in rows[:heads] for line in lines], rows[heads:]
         if block.rule:
-            head.append(self._rule(max((len(line) for lines in rows for line in lines), default=0)))
+            head.append(self._rule(_widest([line for lines in rows for line in lines])))
         names = dict(block.groups)
         for row, lines in enumerate(body):
             if row in names:
-                head.append(self._text(" " * block.indent + names[row], "cyan"))
+                head.append(self._text(" " * block.indent + names[row], _CYAN))
             head += lines
         for legend in block.legends:
             if legend:
-                head += self._hanging(Text(" " * block.indent), legend, width, "dim")
+                head += self._hanging(_blank(block.indent), legend, width, _DIM)
         return head
 
     def _rows(self, columns: Sequence[Lines], block: Table, width: int) -> list[Lines]:
@@ -275,11 +265,9 @@ class _Setter:
         if _width(columns, block) <= width or len(columns) < 2 or not last:
             return [[line] for line in whole]
         labels = _in_columns(columns[:-1], block.indent, block.gap)
-        gap = " " * block.gap
+        gap = _blank(block.gap)
         return [
-            self._hanging(
-                Text.assemble(label, gap), cell.plain.rstrip(), width, str(_style_of(cell))
-            )
+            self._hanging(label + gap, _plain(cell).rstrip(), width, _style_of(cell))
             for label, cell in zip(labels, last, strict=True)
         ]
 
@@ -293,12 +281,12 @@ class _Setter:
         tones = column.tones or [column.tone] * len(texts)
         lines: Lines = []
         for text, top, tone in zip(texts, tops, tones, strict=True):
-            style = STYLES["peak" if top else tone]
-            style = "dim" if text.strip() == ABSENT else style
+            style = _STYLES["peak" if top else tone]
+            style = _DIM if text.strip() == ABSENT else style
             mark = (PEAK if top else " ") if column.peak else ""
             lines.append(self._text(text + mark, style))
         column_ = [*self._heads(column, block, room), *lines]
-        width = max(map(len, column_), default=0)
+        width = _widest(column_)
         return [_padded(line, width, stands_left(column)) for line in column_]
 
     def _heads(self, column: Column, block: Table, room: str) -> Lines:
@@ -306,15 +294,15 @@ class _Setter:
             return []
         words = column.head.split("\n")
         count = _head_lines(block)
-        above = [Text()] * (count - len(words))
+        above = [_EMPTY] * (count - len(words))
         if not has_unit_line(block):
             unit = f" {column.unit}" if column.unit and block.units == "behind" else ""
             words[-1] = f"{words[-1]}{unit}".strip()
-            return [*above, *(self._text(word + room, "dim") for word in words)]
+            return [*above, *(self._text(word + room, _DIM) for word in words)]
         lines = [self._text(word + room) for word in words]
         if not column.unit:
-            return [Text()] * (count + 1 - len(lines)) + lines
-        return [*above, *lines, self._text(column.unit + room, "dim")]
+            return [_EMPTY] * (count + 1 - len(lines)) + lines
+        return [*above, *lines, self._text(column.unit + room, _DIM)]
 
     def _with_bars(self, table: list[Lines], block: Table, width: int) -> list[Lines]:
         """Add the columns of bars, in what room is left."""
@@ -324,57 +312,85 @@ class _Setter:
                 longest = min(max(room, 0), _LONGEST_BAR)
                 heads = self._heads(replace(column, unit=""), block, "")
                 bars = [*heads, *(self._bar(longest * share) for share in shares(column))]
-                table = [*table, [_padded(bar, max(map(len, bars)), True) for bar in bars]]
+                table = [*table, [_padded(bar, _widest(bars), True) for bar in bars]]
         return table
 
-    def _bar(self, length: float, style: str = "cyan") -> Text:
-        if not self._medium.draws:
-            return Text("#" * round(length), style)
+    def _bar(self, length: float, style: str = _CYAN) -> Line:
+        if not self.medium.draws:
+            return (("#" * round(length), style),)
         eighths = round(8 * length)
-        return Text("█" * (eighths // 8) + _EIGHTHS[eighths % 8].strip(), style)
+        return (("█" * (eighths // 8) + _EIGHTHS[eighths % 8].strip(), style),)
 
     # --- bars -------------------------------------------------------------------------------
 
     def _bars(self, block: Bars, width: int) -> Lines:
         table = table_of_bars(block)
         lines = self._table(table, width)
-        room = min(width - max(map(len, lines), default=0) - table.gap, block.longest)
+        room = min(width - _widest(lines) - table.gap, block.longest)
         first = len(lines) - len(block.bars)
-        for line, share in zip(lines[first:], shares_of_bars(block), strict=True):
-            drawn = self._bar(max(room * share, 0.125 if share else 0.0), STYLES[block.tone])
-            line.append(" " * table.gap).append_text(drawn)
+        for place, share in enumerate(shares_of_bars(block), start=first):
+            drawn = self._bar(max(room * share, 0.125 if share else 0.0), _STYLES[block.tone])
+            lines[place] = (*lines[place], *_blank(table.gap), *drawn)
         for legend in block.legends:
-            lines += self._hanging(Text("  "), legend, width, "dim")
+            lines += self._hanging(_blank(2), legend, width, _DIM)
         return lines
+
+    _BLOCKS: ClassVar[dict[type[Block], Callable[..., Lines]]] = {
+        Title: _title,
+        Statement: _statement,
+        KeyValues: _key_values,
+        Table: _table,
+        Bars: _bars,
+        Figure: _figure,
+        Notes: _notes,
+        Equation: _equation,
+        Links: _links,
+    }
 
 
 # --- lines beside lines ------------------------------------------------------------------------
 
 
+def _plain(line: Line) -> str:
+    return "".join([text for text, _ in line])
+
+
+def _size(line: Line) -> int:
+    return sum([len(text) for text, _ in line])
+
+
+def _widest(lines: Iterable[Line]) -> int:
+    return max(map(_size, lines), default=0)
+
+
+def _blank(width: int) -> Line:
+    return ((" " * width, ""),)
+
+
 def _beside(left: Lines, right: Lines, gap: int) -> Lines:
-    width = max(map(len, left)) + gap
-    pairs = zip_longest(left, right, fillvalue=Text())
-    return [Text.assemble(one, " " * (width - len(one)), other) for one, other in pairs]
+    width = _widest(left) + gap
+    pairs = zip_longest(left, right, fillvalue=_EMPTY)
+    return [(*one, *_blank(width - _size(one)), *other) for one, other in pairs]
 
 
 def _joined(parts: Sequence[Lines]) -> Lines:
     """Set parts below each other, with an empty line between them."""
-    lines: Lines = []
-    for part in parts:
-        if part:
-            lines += [Text(), *part] if lines else part
-    return lines
+    return [line for part in parts if part for line in (_EMPTY, *part)][1:]
 
 
 def _in_columns(columns: Sequence[Lines], indent: int, gap: int) -> Lines:
-    return [
-        Text(" " * indent) + Text(" " * gap).join(cells) for cells in zip(*columns, strict=True)
-    ]
+    rows: Lines = []
+    for cells_ in zip(*columns, strict=True):
+        row = list(_blank(indent))
+        for number, one in enumerate(cells_):
+            row += (*_blank(gap), *one) if number else one
+        rows.append(tuple(row))
+    return rows
 
 
-def _padded(cell: Text, width: int, left: bool) -> Text:
-    room = " " * (width - len(cell))
-    return Text.assemble(cell, room) if left else Text.assemble(room, cell)
+def _padded(cell: Line, width: int, left: bool) -> Line:
+    room = _blank(width - _size(cell))
+    return cell + room if left else room + cell
 
 
 def _head_lines(block: Table) -> int:
@@ -389,25 +405,11 @@ def _head_lines(block: Table) -> int:
     )
 
 
-def _style_of(cell: Text) -> str:
+def _style_of(cell: Line) -> str:
     """Return the style of what stands in a padded cell."""
-    return next((str(span.style) for span in cell.spans), "") or str(cell.style)
+    return next((style for _, style in cell if style), "")
 
 
 def _width(columns: Sequence[Lines], block: Table) -> int:
-    widths = [max(map(len, column), default=0) for column in columns]
+    widths = [_widest(column) for column in columns]
     return block.indent + sum(widths) + block.gap * max(len(widths) - 1, 0)
-
-
-def _closer(columns: Sequence[Lines], block: Table, width: int) -> Table:
-    """Set the columns closer to each other, and to the margin, where there is no room."""
-    if _width(columns, block) > width:
-        block = replace(block, gap=1)
-    return replace(block, indent=0) if _width(columns, block) > width else block
-
-
-def _least_width(sections: Sequence[Section]) -> int:
-    """Return what room sketches need to stand beside something."""
-    return max(
-        (b.width for one in sections for b in one.blocks if isinstance(b, Figure)), default=0
-    )

@@ -1,7 +1,7 @@
 """Grease: how long it lives, when a bearing wants new one, how much, and which.
 
 A file a law: lives of sealed ball bearings by `nsk`, `kawamura` and `jtekt`, intervals in
-`relubrication`, amounts in `amount`. `rolamento.tasks.grease_of_case` asks all of them of a case.
+`relubrication`, amounts in `amount`. `rolamento.grease.of_case` asks all of them of a case.
 
 >>> from rolamento import grease
 >>> print(f"{grease.grease_life_nsk(0.25, 343.15, 'wide_range'):.0f} h")

@@ -11,7 +11,6 @@ import os
 import re
 import stat
 import sys
-import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sized
 from typing import Any, Final, Literal, NoReturn, TypeVar
 
@@ -242,6 +241,8 @@ def _parsed_toml(text: str) -> object:
             raise FileError(
                 said("has more than {most} dots in one line", most=_MOST_DOTS), line=number
             )
+    import tomllib
+
     return tomllib.loads(text)
 
 
@@ -270,6 +271,8 @@ def _syntax_error(error: ValueError, text: str, source: str) -> FileError:
     if isinstance(error, json.JSONDecodeError):
         rule = said("is not valid JSON: {reason}", reason=error.msg.lower())
         return FileError(rule, source=source, line=error.lineno)
+    import tomllib
+
     if not isinstance(error, tomllib.TOMLDecodeError):  # the interpreter's limit on digits
         return FileError(said("contains a number with too many digits"), source=source)
     reason, _, place = str(error).partition(" (at ")

@@ -110,20 +110,34 @@ def film_groups(
 
     Hamrock and Dowson (1977).
     """
-    u = within(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
+    curvature, e, speed, material = of_speed_and_oil(
+        entrainment_speed, rolling_curvature, modulus, viscosity, pressure_viscosity_coefficient
+    )
     q = within(load, "load", "N", 0.0, 1e12)
+    return FilmGroups(
+        speed=speed,
+        load=np.asarray(q * curvature**2 / e),
+        material=material,
+        ellipticity=within(ellipticity, "ellipticity", "", 0.0, 1e9),
+    )
+
+
+def of_speed_and_oil(
+    entrainment_speed: ArrayLike,
+    rolling_curvature: ArrayLike,
+    modulus: ArrayLike,
+    viscosity: ArrayLike,
+    pressure_viscosity_coefficient: ArrayLike,
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """1/R_x and E', checked, and the groups U and G, as of `film_groups`."""
+    u = within(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
     curvature = within(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
     e = within(modulus, "modulus", "Pa", 1.0, 1e15)
     eta = within(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
     alpha = within(
         pressure_viscosity_coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3
     )
-    return FilmGroups(
-        speed=np.asarray(eta * u * curvature / e),
-        load=np.asarray(q * curvature**2 / e),
-        material=np.asarray(alpha * e),
-        ellipticity=within(ellipticity, "ellipticity", "", 0.0, 1e9),
-    )
+    return curvature, e, np.asarray(eta * u * curvature / e), np.asarray(alpha * e)
 
 
 def central_film(groups: FilmGroups) -> FloatArray:

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case.film_model import LineFilm
-from rolamento.lubrication.film_thickness import FilmGroups
+from rolamento.lubrication.film_thickness import FilmGroups, of_speed_and_oil
 from rolamento.numerics import FloatArray
 from rolamento.validate import within
 
@@ -52,19 +52,15 @@ def line_groups(
     InputError
         If a number is negative, not finite, or far beyond any contact.
     """
-    u = within(entrainment_speed, "entrainment_speed", "m/s", 0.0, 1e6)
-    q = within(load_per_length, "load_per_length", "N/m", 0.0, 1e12)
-    curvature = within(rolling_curvature, "rolling_curvature", "1/m", 1e-9, 1e12)
-    e = within(modulus, "modulus", "Pa", 1.0, 1e15)
-    eta = within(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
-    alpha = within(
-        pressure_viscosity_coefficient, "pressure_viscosity_coefficient", "1/Pa", 0.0, 1e-3
+    curvature, e, speed, material = of_speed_and_oil(
+        entrainment_speed, rolling_curvature, modulus, viscosity, pressure_viscosity_coefficient
     )
+    q = within(load_per_length, "load_per_length", "N/m", 0.0, 1e12)
     load = np.asarray(q * curvature / e)
     return FilmGroups(
-        speed=np.asarray(eta * u * curvature / e),
+        speed=speed,
         load=load,
-        material=np.asarray(alpha * e),
+        material=material,
         ellipticity=np.where(np.isnan(load), np.nan, np.inf),
     )
 

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
 
-__all__ = ["filled"]
+__all__ = ["filled", "may_be_masked"]
+
+
+def may_be_masked(values: Any) -> bool:
+    """Return whether numbers may be masked; `numpy.ma` is imported by who made such an array."""
+    return hasattr(values, "filled")
 
 
 def filled(values: ArrayLike) -> FloatArray:
@@ -15,6 +22,6 @@ def filled(values: ArrayLike) -> FloatArray:
 
     What lies below a mask is no number: NumPy's own conversion would bring it to light.
     """
-    if not isinstance(values, np.ma.MaskedArray):
+    if not may_be_masked(values):
         return np.asarray(values, dtype=np.float64)
     return np.asarray(np.ma.asarray(values, dtype=np.float64).filled(np.nan))

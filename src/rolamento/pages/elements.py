@@ -6,9 +6,9 @@ stands outward.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from math import nan
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import RACES, Solved
 from rolamento.solved.form import control_names
+from rolamento.solved.notes import are_rollers
 from rolamento.types import type_of_element
 from rolamento.words import decimals_for, in_unit, manner, said, said_in
 
@@ -25,13 +26,10 @@ if TYPE_CHECKING:
     from rolamento.solved import Rollers
 
 __all__ = [
-    "Values",
-    "column",
     "element_sections",
     "element_tables",
     "heaviest_section",
     "main_table",
-    "of_element",
     "roller_pictures",
     "without_rounding",
 ]
@@ -42,122 +40,82 @@ _NO_TILT: Final = 1e-8
 """rad: of rollers."""
 
 
-# --- which elements ------------------------------------------------------------------------------
-
-
 def main_table(solved: Solved) -> str:
     """Return the key of the table of elements that a file of one table holds."""
     return "balls" if "ball" in solved.rows.element else "rollers"
 
 
-def _is_roller(solved: Solved) -> BoolArray:
-    """Which elements are rollers; (elements,)."""
-    return np.array([element != "ball" for element in solved.rows.element])[solved.elements.row]
-
-
 # --- the heaviest element ------------------------------------------------------------------------
-
-Quantities = tuple[tuple[str, str, Callable[[Race], float]], ...]
-"""Label, unit, and the value at a race in SI."""
 
 
 def heaviest_section(solved: Solved) -> Section:
     """Show the contacts of the element with the maximum load and the stresses under them."""
     one = int(np.argmax(np.maximum(solved.inner.load[0], solved.outer.load[0])))
-    if _is_roller(solved)[one]:
-        return _heaviest_roller(solved, one)
-    return _heaviest_ball(solved, one)
-
-
-def _heaviest_ball(solved: Solved, ball: int) -> Section:
-    shown = (
-        (said("load"), "N", "load"),
-        (said("contact angle"), "°", "contact_angle"),
-        (said("approach"), "µm", "deflection"),
-        (said("maximum pressure"), "MPa", "max_pressure"),
-        (said("ellipse, semi-major"), "mm", "semi_major"),
-        (said("ellipse, semi-minor"), "mm", "semi_minor"),
-        *_stresses(),
-    )
-    names = {"number": ball, "azimuth": float(solved.elements.azimuth[0, ball])}
-    if len(solved.rows) < 2:
-        heading = said("Heaviest ball: #{number} at {azimuth:.5 °}", **names)
+    row, azimuth = int(solved.elements.row[one]), float(solved.elements.azimuth[0, one])
+    place = {"number": one, "azimuth": azimuth, "row": row}
+    roller, several = solved.rows.element[row] != "ball", len(solved.rows) > 1
+    if roller and several:
+        heading = said("Heaviest roller: #{number} of row {row} at {azimuth:.5 °}", **place)
+    elif roller:
+        heading = said("Heaviest roller: #{number} at {azimuth:.5 °}", **place)
+    elif several:
+        heading = said("Heaviest ball: #{number} of row {row} at {azimuth:.5 °}", **place)
     else:
-        row = int(solved.elements.row[ball])
-        heading = said("Heaviest ball: #{number} of row {row} at {azimuth:.5 °}", **names, row=row)
-    table = _both_races(solved, ball, _of_contacts(solved, ball, shown))
-    return Section(heading, (table,), "heaviest")
-
-
-def _heaviest_roller(solved: Solved, roller: int) -> Section:
-    rollers = solved.rollers
-    assert rollers is not None
-    tapered = type_of_element(solved.rows.element[solved.elements.row[roller]]).conical
+        heading = said("Heaviest ball: #{number} at {azimuth:.5 °}", **place)
+    angle, at_a_depth = (said("contact angle"), "°", "contact_angle"), "  " + said("at a depth of")
     first = (
         (said("load"), "N", "load"),
-        *([(said("contact angle"), "°", "contact_angle")] if tapered else []),
-        (said("approach of the middle"), "µm", "deflection"),
+        *((angle,) if not roller or type_of_element(solved.rows.element[row]).conical else ()),
+        (said("approach of the middle") if roller else said("approach"), "µm", "deflection"),
         (said("maximum pressure"), "MPa", "max_pressure"),
     )
-    along: Quantities = (
-        (
-            "  " + said("at, from the middle"),
-            "mm",
-            lambda race: float(_peak_place(rollers, race)[roller]),
-        ),
-        (
-            said("pressure in the middle"),
-            "MPa",
-            lambda race: float(_in_the_middle(rollers, race)[roller]),
-        ),
-        (said("pressure at the −x end"), "MPa", lambda race: _at_end(rollers, race, roller, 0)),
-        (said("pressure at the +x end"), "MPa", lambda race: _at_end(rollers, race, roller, -1)),
+    ellipse = (
+        (said("ellipse, semi-major"), "mm", "semi_major"),
+        (said("ellipse, semi-minor"), "mm", "semi_minor"),
     )
-    last = ((said("half-width"), "mm", "semi_minor"), *_stresses())
-    quantities = (*_of_contacts(solved, roller, first), *along, *_of_contacts(solved, roller, last))
-    names = {"number": roller, "azimuth": float(solved.elements.azimuth[0, roller])}
-    if len(solved.rows) < 2:
-        heading = said("Heaviest roller: #{number} at {azimuth:.5 °}", **names)
-    else:
-        row = int(solved.elements.row[roller])
-        heading = said(
-            "Heaviest roller: #{number} of row {row} at {azimuth:.5 °}", **names, row=row
-        )
-    return Section(heading, (_both_races(solved, roller, quantities),), "heaviest")
-
-
-def _stresses() -> tuple[tuple[str, str, str], ...]:
-    return (
+    shown = (
+        *first,
+        *(_along_the_roller(solved, one) if roller else ellipse),
         (said("maximum shear"), "MPa", "max_shear"),
-        ("  " + said("at a depth of"), "mm", "max_shear_depth"),
+        (at_a_depth, "mm", "max_shear_depth"),
         (said("orthogonal shear"), "MPa", "orthogonal_shear"),
-        ("  " + said("at a depth of"), "mm", "orthogonal_shear_depth"),
+        (at_a_depth, "mm", "orthogonal_shear_depth"),
     )
-
-
-def _of_contacts(solved: Solved, element: int, shown: Sequence[tuple[str, str, str]]) -> Quantities:
-    def at(name: str) -> Callable[[Race], float]:
-        return lambda race: float(getattr(solved.contacts[race], name)[0, element])
-
-    return tuple((label, unit, at(name)) for label, unit, name in shown)
-
-
-def _both_races(solved: Solved, element: int, shown: Quantities) -> Table:
-    """Set what an element has at the inner race beside what it has at the outer."""
     races = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
     columns = [
         Column("", [label for label, _, _ in shown], "quantity"),
         Column("", [unit for _, unit, _ in shown], "unit"),
     ]
     for race in RACES:
-        touched = solved.contacts[race].load[0, element] > 0.0
-        values = [_five_figures(at(race), unit) if touched else nan for _, unit, at in shown]
-        columns.append(Column(races[race], values, race, align="right"))
-    return Table(tuple(columns), "heaviest")
+        contacts, cells = solved.contacts[race], list[CellContent]()
+        for _, unit, what in shown:
+            value = float(getattr(contacts, what)[0, one] if isinstance(what, str) else what[race])
+            decimals = decimals_for([float(in_unit(value, unit))], 5)
+            touches = contacts.load[0, one] > 0.0
+            cells.append(Number(value, f".{decimals}f [{unit}]") if touches else nan)
+        columns.append(Column(races[race], cells, race, align="right"))
+    return Section(heading, (Table(tuple(columns), "heaviest"),), "heaviest")
 
 
-def _five_figures(value: float, unit: str) -> Number:
-    return Number(value, f".{decimals_for([float(in_unit(value, unit))], 5)}f [{unit}]")
+def _along_the_roller(
+    solved: Solved, roller: int
+) -> tuple[tuple[str, str, str | dict[Race, float]], ...]:
+    """Return label, unit and values at the races of what the heaviest roller bears along it."""
+    rollers = solved.rollers
+    assert rollers is not None
+    lines = {race: _line(rollers, race)[roller] for race in RACES}
+    places = {race: float(_peak_place(rollers, race)[roller]) for race in RACES}
+    middle, left, right = (
+        {race: float(line[place]) for race, line in lines.items()}
+        for place in (rollers.slices // 2, 0, -1)
+    )
+    return (
+        ("  " + said("at, from the middle"), "mm", places),
+        (said("pressure in the middle"), "MPa", middle),
+        (said("pressure at the −x end"), "MPa", left),
+        (said("pressure at the +x end"), "MPa", right),
+        (said("half-width"), "mm", "semi_minor"),
+    )
 
 
 # --- a line for each -----------------------------------------------------------------------------
@@ -194,60 +152,15 @@ def element_tables(solved: Solved) -> dict[str, Table]:
     return tables
 
 
-Values = Callable[[Solved], FloatArray]
-"""A number of every element of a single case in SI; (elements,)."""
-
-
-def of_element(name: str) -> Values:
-    """Numbers of the elements by their name in `rolamento.solved.Elements`."""
-    return lambda solved: getattr(solved.elements, name)[0]
-
-
-def _of_contact(race: Race, name: str) -> Values:
+def _touching(solved: Solved, race: Race, numbers: FloatArray) -> FloatArray:
     """Numbers of the contacts with a race; NaN where element and race do not touch."""
-
-    def values(solved: Solved) -> FloatArray:
-        return np.where(_touches(solved, race), getattr(solved.contacts[race], name)[0], np.nan)
-
-    return values
+    touches = solved.loaded[0] if race == "inner" else solved.outer.load[0] > 0.0
+    return np.where(touches, numbers, np.nan)
 
 
-def _touches(solved: Solved, race: Race) -> BoolArray:
-    return np.asarray(solved.loaded[0] if race == "inner" else solved.outer.load[0] > 0.0)
-
-
-def without_rounding(of: Values, least: float = _NO_MOTION) -> Values:
-    """Give rounding errors, such as the spin at a race in control, as zero."""
-
-    def values(solved: Solved) -> FloatArray:
-        numbers = of(solved)
-        return np.where(np.abs(numbers) < least, 0.0, numbers)
-
-    return values
-
-
-def column(
-    solved: Solved,
-    head: str,
-    unit: str,
-    of: Values,
-    key: str,
-    *,
-    figures: int = 4,
-    most: int = 2,
-    peak: bool = False,
-    chosen: BoolArray | slice = slice(None),
-) -> Column:
-    """Return a column of a table with a line for each element, or for some of them."""
-    return Column(
-        head,
-        of(solved)[chosen].tolist(),
-        key,
-        unit,
-        figures=figures,
-        most=most,
-        peak="maximum" if peak else "",
-    )
+def without_rounding(numbers: FloatArray, least: float = _NO_MOTION) -> FloatArray:
+    """Return rounding errors, such as the spin at a race in control, as zero."""
+    return np.where(np.abs(numbers) < least, 0.0, numbers)
 
 
 def _row_names(solved: Solved, chosen: BoolArray) -> tuple[tuple[int, str], ...]:
@@ -289,29 +202,22 @@ _BALL_COLUMNS: Final = (
 
 def balls_table(solved: Solved) -> Table:
     """Return a line for every ball: loads, angles, pressures; then its motion."""
-    balls = ~_is_roller(solved)
+    elements, balls = solved.elements, ~are_rollers(solved)
     columns = [
         Column("#", np.flatnonzero(balls).tolist(), "ball", tone="faint"),
-        column(solved, "ψ", "°", of_element("azimuth"), "azimuth", figures=5, chosen=balls),
+        Column("ψ", elements.azimuth[0, balls].tolist(), "azimuth", "°", figures=5),
     ]
-    for name, symbol, unit, figures, peak in (
-        ("load", "Q", "N", 5, True),
-        ("contact_angle", "α", "°", 4, False),
-        ("max_pressure", "p", "MPa", 4, True),
-    ):
-        columns += [
-            column(
-                solved,
-                f"{symbol}_{race[0]}",
-                unit,
-                _of_contact(race, name),
-                f"{race}_{name}",
-                figures=figures,
-                peak=peak,
-                chosen=balls,
-            )
-            for race in RACES
-        ]
+    for name, symbol, unit, figures in (
+        ("load", "Q", "N", 5), ("contact_angle", "α", "°", 4), ("max_pressure", "p", "MPa", 4),
+    ):  # fmt: skip
+        for race in RACES:
+            numbers = _touching(solved, race, getattr(solved.contacts[race], name)[0])[balls]
+            columns.append(
+                Column(
+                    f"{symbol}_{race[0]}", numbers.tolist(), f"{race}_{name}", unit,
+                    figures=figures, peak="" if name == "contact_angle" else "maximum",
+                )
+            )  # fmt: skip
     columns.append(Column("Q_i", solved.inner.load[0, balls].tolist(), bar=True))
     breaks: tuple[Break, ...] = ()
     if _turning(solved):
@@ -321,7 +227,17 @@ def balls_table(solved: Solved) -> Table:
             "s spin-to-roll ratio"
         )
         breaks = (Break(len(columns), heading, legend),)
-        columns += _motion(solved, balls)
+        columns += [
+            Column(head, getattr(elements, name)[0, balls].tolist(), name, unit, figures=figures)
+            for head, unit, name, figures in (
+                ("F_c", "N", "centrifugal_force", 5), ("M_g", "N·mm", "gyroscopic_moment", 4),
+                ("n_m", "rpm", "orbital_speed", 5), ("n_R", "rpm", "ball_speed", 5),
+            )
+        ]  # fmt: skip
+        for race in RACES:
+            spin = _touching(solved, race, without_rounding(solved.contacts[race].spin_to_roll[0]))
+            name = f"{race}_spin_to_roll"
+            columns.append(Column(f"s_{race[0]}", spin[balls].tolist(), name, "–", most=4))
     legend = said("Q load, α contact angle, p maximum pressure; i inner, o outer; ◂ maximum")
     return Table(
         tuple(columns),
@@ -337,34 +253,9 @@ def _turning(solved: Solved) -> bool:
     return solved.case.duty.inner_speed != 0.0 or solved.case.duty.outer_speed != 0.0
 
 
-def _motion(solved: Solved, balls: BoolArray) -> list[Column]:
-    def own(head: str, unit: str, name: str, figures: int) -> Column:
-        return column(solved, head, unit, of_element(name), name, figures=figures, chosen=balls)
-
-    spins = [
-        column(
-            solved,
-            f"s_{race[0]}",
-            "–",
-            without_rounding(_of_contact(race, "spin_to_roll")),
-            f"{race}_spin_to_roll",
-            most=4,
-            chosen=balls,
-        )
-        for race in RACES
-    ]
-    return [
-        own("F_c", "N", "centrifugal_force", 5),
-        own("M_g", "N·mm", "gyroscopic_moment", 4),
-        own("n_m", "rpm", "orbital_speed", 5),
-        own("n_R", "rpm", "ball_speed", 5),
-        *spins,
-    ]
-
-
 def all_of_the_balls(solved: Solved) -> Table:
     """Return the table of balls that is written to files: all numbers, touching or not."""
-    elements, balls = solved.elements, ~_is_roller(solved)
+    elements, balls = solved.elements, ~are_rollers(solved)
     columns = [
         Column("row", elements.row[balls].tolist(), "row"),
         Column("ball", np.flatnonzero(balls).tolist(), "ball"),
@@ -418,10 +309,6 @@ def _in_the_middle(rollers: Rollers, race: Race) -> FloatArray:
     return np.asarray(pressure[:, pressure.shape[1] // 2])
 
 
-def _at_end(rollers: Rollers, race: Race, roller: int, end: int) -> float:
-    return float(_line(rollers, race)[roller, end])
-
-
 def _peak_place(rollers: Rollers, race: Race) -> FloatArray:
     """Where along the rollers the pressure is greatest; NaN of balls beside them."""
     peak = np.nan_to_num(_line(rollers, race)).argmax(axis=1)
@@ -435,70 +322,64 @@ def _end_over_middle(rollers: Rollers, race: Race) -> FloatArray:
     return np.asarray(np.divide(end, middle, out=np.full(len(end), np.nan), where=middle > 0.0))
 
 
-def _along(race: Race, of: Callable[[Rollers, Race], FloatArray]) -> Values:
-    """Numbers of what a roller bears along its length; NaN where it does not touch the race."""
-
-    def values(solved: Solved) -> FloatArray:
-        assert solved.rollers is not None
-        return np.where(_touches(solved, race), of(solved.rollers, race), np.nan)
-
-    return values
-
-
-def _of_rollers(name: str) -> Values:
-    return lambda solved: getattr(solved.rollers, name)[0]
-
-
 def rollers_table(solved: Solved) -> Table:
     """Return a line for every roller: loads and pressures; along it; then its motion."""
-    rollers = _is_roller(solved)
-    assert solved.rollers is not None
+    chosen, elements, rollers = are_rollers(solved), solved.elements, solved.rollers
+    assert rollers is not None
 
     def own(
-        head: str, unit: str, of: Values, key: str, figures: int = 4, most: int = 2,
+        head: str, unit: str, of: FloatArray, key: str, figures: int = 4, most: int = 2,
         *, peak: bool = False,
     ) -> Column:  # fmt: skip
-        return column(
-            solved, head, unit, of, key, figures=figures, most=most, peak=peak, chosen=rollers
-        )
+        top: Literal["", "maximum"] = "maximum" if peak else ""
+        return Column(head, of[chosen].tolist(), key, unit, figures=figures, most=most, peak=top)
 
     columns = [
-        Column("#", np.flatnonzero(rollers).tolist(), "roller", tone="faint"),
-        own("ψ", "°", of_element("azimuth"), "azimuth", 5),
+        Column("#", np.flatnonzero(chosen).tolist(), "roller", tone="faint"),
+        own("ψ", "°", elements.azimuth[0], "azimuth", 5),
     ]
     for name, symbol, unit, figures in (("load", "Q", "N", 5), ("max_pressure", "p", "MPa", 4)):
         columns += [
-            own(f"{symbol}_{race[0]}", unit, _of_contact(race, name), f"{race}_{name}", figures,
-                peak=True)
+            own(
+                f"{symbol}_{race[0]}",
+                unit,
+                _touching(solved, race, getattr(solved.contacts[race], name)[0]),
+                f"{race}_{name}",
+                figures,
+                peak=True,
+            )
             for race in RACES
-        ]  # fmt: skip
+        ]
     columns += [
-        own(f"x_{race[0]}", "mm", _along(race, _peak_place), f"{race}_peak_place") for race in RACES
+        own(f"x_{race[0]}", "mm", _touching(solved, race, place), f"{race}_peak_place")
+        for race in RACES
+        for place in [_peak_place(rollers, race)]
     ]
-    tilt = without_rounding(_of_rollers("tilt"), _NO_TILT)
+    tilt = without_rounding(rollers.tilt[0], _NO_TILT)
     columns += [
         own("θ", "mrad", tilt, "tilt", most=3),
-        Column("Q_i", solved.inner.load[0, rollers].tolist(), bar=True),
+        Column("Q_i", solved.inner.load[0, chosen].tolist(), bar=True),
     ]
     first, symbols = len(columns), [said("e pressure at the more loaded end over the middle's")]
     columns += [
-        own(f"e_{race[0]}", "–", _along(race, _end_over_middle), f"{race}_end_over_middle", 3)
+        own(f"e_{race[0]}", "–", _touching(solved, race, ratio), f"{race}_end_over_middle", 3)
         for race in RACES
+        for ratio in [_end_over_middle(rollers, race)]
     ]
-    if np.nan_to_num(solved.rollers.rib_force[0]).any():
+    if np.nan_to_num(rollers.rib_force[0]).any():
         symbols.append(said("F_rib force of the rib on the roller's end"))
-        columns.append(own("F_rib", "N", _of_rollers("rib_force"), "rib_force"))
+        columns.append(own("F_rib", "N", rollers.rib_force[0], "rib_force"))
     if _turning(solved):
         symbols.append(said("F_c centrifugal force"))
-        columns.append(own("F_c", "N", of_element("centrifugal_force"), "centrifugal_force", 5))
+        columns.append(own("F_c", "N", elements.centrifugal_force[0], "centrifugal_force", 5))
         if any(type_of_element(one).conical for one in solved.rows.element):
             symbols.append(said("M_g gyroscopic moment"))
-            moment = of_element("gyroscopic_moment")
+            moment = elements.gyroscopic_moment[0]
             columns.append(own("M_g", "N·mm", moment, "gyroscopic_moment"))
         symbols.append(said("n_m orbital speed, n_R roller speed"))
         columns += [
-            own("n_m", "rpm", of_element("orbital_speed"), "orbital_speed", 5),
-            own("n_R", "rpm", of_element("ball_speed"), "roller_speed", 5),
+            own("n_m", "rpm", elements.orbital_speed[0], "orbital_speed", 5),
+            own("n_R", "rpm", elements.ball_speed[0], "roller_speed", 5),
         ]
     heading = said("Ends and motion of the rollers") if _turning(solved) else said("Ends")
     breaks = (Break(first, heading, ", ".join(symbols)),)
@@ -512,7 +393,7 @@ def rollers_table(solved: Solved) -> Table:
     return Table(
         tuple(columns),
         legends=legends,
-        groups=_row_names(solved, rollers),
+        groups=_row_names(solved, chosen),
         rule=True,
         fixed=2,
         breaks=breaks,
@@ -521,16 +402,17 @@ def rollers_table(solved: Solved) -> Table:
 
 def all_of_the_rollers(solved: Solved) -> Table:
     """Return the table of rollers that is written to files: all numbers, touching or not."""
-    elements, chosen = solved.elements, _is_roller(solved)
+    elements, chosen, rollers = solved.elements, are_rollers(solved), solved.rollers
+    assert rollers is not None
 
-    def own(head: str, of: Values, unit: str = "") -> Column:
-        return Column(head, of(solved)[chosen].tolist(), head, unit)
+    def own(head: str, of: FloatArray, unit: str = "") -> Column:
+        return Column(head, of[chosen].tolist(), head, unit)
 
     units = dict(_CONTACT_COLUMNS)
     columns = [
         Column("row", elements.row[chosen].tolist(), "row"),
         Column("roller", np.flatnonzero(chosen).tolist(), "roller"),
-        own("azimuth", of_element("azimuth"), "°"),
+        own("azimuth", elements.azimuth[0], "°"),
     ]
     for race in RACES:
         columns += [
@@ -543,15 +425,17 @@ def all_of_the_rollers(solved: Solved) -> Table:
             for of, name in _ROLLER_CONTACTS.items()
         ]
         columns += [
-            own(f"{race}_peak_place", _along(race, _peak_place), "mm"),
-            own(f"{race}_end_over_middle", _along(race, _end_over_middle)),
+            own(f"{race}_peak_place", _touching(solved, race, _peak_place(rollers, race)), "mm"),
+            own(
+                f"{race}_end_over_middle", _touching(solved, race, _end_over_middle(rollers, race))
+            ),
         ]
     columns += [
-        own("tilt", _of_rollers("tilt"), "mrad"),
-        own("rib_force", _of_rollers("rib_force"), "N"),
-        own("rib_moment", _of_rollers("rib_moment"), "N·mm"),
+        own("tilt", rollers.tilt[0], "mrad"),
+        own("rib_force", rollers.rib_force[0], "N"),
+        own("rib_moment", rollers.rib_moment[0], "N·mm"),
     ]
-    columns += [own(name, of_element(of), unit) for of, name, unit in _ROLLER_COLUMNS]
+    columns += [own(name, getattr(elements, of)[0], unit) for of, name, unit in _ROLLER_COLUMNS]
     return Table(tuple(columns), "rollers", only_in_files=True)
 
 
@@ -559,7 +443,7 @@ def all_of_the_slices(solved: Solved) -> Table:
     """Return what files have of every slice of every roller."""
     rollers = solved.rollers
     assert rollers is not None
-    chosen = np.flatnonzero(_is_roller(solved))
+    chosen = np.flatnonzero(are_rollers(solved))
     count = rollers.slice_place.shape[-1]
 
     def own(head: str, values: FloatArray, unit: str) -> Column:
@@ -591,7 +475,7 @@ _HASHES: Final = " #"
 
 def roller_pictures(solved: Solved) -> list[Section]:
     """Draw the pressure along the rollers, and the most loaded one between the races; if any is."""
-    if not _is_roller(solved).any() or not solved.loaded[0, _is_roller(solved)].any():
+    if not are_rollers(solved).any() or not solved.loaded[0, are_rollers(solved)].any():
         return []
     along = Figure(
         said("Pressure along the rollers at both races, the most loaded one in full"),

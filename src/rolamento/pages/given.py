@@ -139,33 +139,40 @@ def _bearing(bearing: Bearing | RollerBearing) -> str:
     if isinstance(bearing, RollerBearing):
         lines = [_rollers(bearing), _between_rings(bearing), *_profiles(bearing)]
     else:
-        lines = [_balls(bearing), _grooves(bearing)]
+        lines = _balls(bearing)
     return "\n".join((*lines, _materials(bearing), *_arrangement_lines(bearing)))
 
 
-def _balls(bearing: Bearing) -> str:
-    return said(
+def _balls(bearing: Bearing) -> list[str]:
+    """Number and size of the balls; their play, as it was given, and their grooves."""
+    inner, ball = bearing.inner_conformity, quantity(bearing.ball_diameter, "length")
+    if bearing.contact_angle is not None:
+        play = said("contact angle {angle}", angle=quantity(bearing.contact_angle, "angle"))
+    else:
+        clearance = quantity(bearing.diametral_clearance or 0.0, "length")
+        play = said("diametral clearance {clearance}", clearance=clearance)
+    if bearing.bearing_type.aligns:
+        radius = quantity(bearing.outer_conformity * bearing.ball_diameter, "length")
+        grooves = said(
+            "{play}, conformity {inner:.5} inner, outer race a sphere of radius {radius}",
+            play=play,
+            inner=inner,
+            radius=radius,
+        )
+    else:
+        grooves = said(
+            "{play}, conformity {inner:.5} inner, {outer:.5} outer",
+            play=play,
+            inner=inner,
+            outer=bearing.outer_conformity,
+        )
+    balls = said(
         "{count} balls of {ball}, pitch diameter {pitch}",
         count=bearing.ball_count,
-        ball=quantity(bearing.ball_diameter, "length"),
+        ball=ball,
         pitch=quantity(bearing.pitch_diameter, "length"),
     )
-
-
-def _grooves(bearing: Bearing) -> str:
-    if bearing.bearing_type.aligns:
-        return said(
-            "{play}, conformity {inner:.5} inner, outer race a sphere of radius {radius}",
-            play=_play(bearing),
-            inner=bearing.inner_conformity,
-            radius=quantity(bearing.outer_conformity * bearing.ball_diameter, "length"),
-        )
-    return said(
-        "{play}, conformity {inner:.5} inner, {outer:.5} outer",
-        play=_play(bearing),
-        inner=bearing.inner_conformity,
-        outer=bearing.outer_conformity,
-    )
+    return [balls, grooves]
 
 
 def _rollers(bearing: RollerBearing) -> str:
@@ -292,14 +299,6 @@ def _materials(bearing: RollingBearing) -> str:
     return said("rings of {rings}, balls of {balls}", rings=rings.name, balls=elements.name)
 
 
-def _play(bearing: Bearing) -> str:
-    """Return the contact angle or the clearance, whichever was given."""
-    if bearing.contact_angle is not None:
-        return said("contact angle {angle}", angle=quantity(bearing.contact_angle, "angle"))
-    clearance = quantity(bearing.diametral_clearance or 0.0, "length")
-    return said("diametral clearance {clearance}", clearance=clearance)
-
-
 def facing(bearing: RollingBearing, place: RowPlace) -> str:
     """Return toward which side a row carries axial load: with clearance and no preload, both."""
     if place.bearing.contact_angle is None and bearing.preload is None:
@@ -365,7 +364,7 @@ def _place(bearing: RollingBearing, place: RowPlace) -> str:
     row, own = place.bearing, []
     if row.element != bearing.element:
         own += [_rollers(row), _between_rings(row)] if isinstance(row, RollerBearing) else []
-        own += [_balls(row), _grooves(row)] if isinstance(row, Bearing) else []
+        own += _balls(row) if isinstance(row, Bearing) else []
     else:
         own += _own_sizes(bearing, row)
     if place.offset is not None and _own_offsets(bearing):
@@ -444,6 +443,7 @@ def _preload(preload: Preload | None, contact_angle: float | None) -> list[str]:
 
 
 def _duty(duty: Duty) -> str:
+    """Speeds, loads and displacements, as they were given."""
     speeds = []
     if duty.inner_speed != 0.0:
         speed = quantity(duty.inner_speed, "angular_speed")
@@ -459,12 +459,7 @@ def _duty(duty: Duty) -> str:
             if swing.frequency is None
             else said("oscillates by {angle:.5 °} at {frequency:.4 Hz}", **values)
         )
-    return ", ".join([*(speeds or [said("at rest")]), *_imposed(duty)])
-
-
-def _imposed(duty: Duty) -> list[str]:
-    """Return loads and displacements that were given, as they were given."""
-    given = []
+    given = speeds or [said("at rest")]
     for axis, load in zip(AXES, LOADS, strict=True):
         shift = len(axis) == 1
         kinds: tuple[tuple[str, float | None, Dimension], ...] = (
@@ -476,7 +471,7 @@ def _imposed(duty: Duty) -> list[str]:
             for name, value, dimension in kinds
             if value is not None
         ]
-    return given
+    return ", ".join(given)
 
 
 def model_text(case: Case) -> str:

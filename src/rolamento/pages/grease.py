@@ -27,8 +27,8 @@ from rolamento.words import ABSENT, said
 from rolamento.words.sentences.grease import BASE_OILS, FACTORS, LAWS, SETS, THICKENERS
 
 if TYPE_CHECKING:
+    from rolamento.grease.of_case import GreaseCase
     from rolamento.lubrication.oil_choice import OilChoice
-    from rolamento.tasks.grease import GreaseCase
 
 __all__ = ["grease_page", "grease_statement", "oil_page", "oil_section"]
 

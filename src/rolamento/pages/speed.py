@@ -22,7 +22,7 @@ from rolamento.words import marked, said, said_in
 from rolamento.words.sentences.speeds import LIMIT_NAMES, factor_text
 
 if TYPE_CHECKING:
-    from rolamento.tasks.speed import MinimumLoad, SpeedLimit, SpeedLimits
+    from rolamento.analysis.speed_limits import MinimumLoad, SpeedLimit, SpeedLimits
 
 __all__ = ["speed_page"]
 
@@ -41,7 +41,7 @@ def speed_page(found: SpeedLimits) -> Document:
     Parameters
     ----------
     found
-        What `rolamento.tasks.speed.speed_limits` gives.
+        What `rolamento.analysis.speed_limits.speed_limits` gives.
     """
     title = found.title or said("Limiting speeds")
     sections = [Section("", (Title(title),), "head"), *cautions_section(found.notes)]

@@ -7,6 +7,7 @@ and azimuths run clockwise like the hours.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 from math import cos, isfinite, pi, sin
 from typing import TYPE_CHECKING, Final
 
@@ -28,15 +29,11 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.geometry import Race
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics import FloatArray
 from rolamento.pages.elements import (
-    Values,
-    column,
     element_sections,
     heaviest_section,
     main_table,
-    of_element,
     roller_pictures,
     without_rounding,
 )
@@ -71,7 +68,10 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     whole = (*solved.notes[0], *(() if analysis is None else analysis.notes))
     notes = list(remarks_of(whole))
     if solved.converged[0]:
-        sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
+        beside = Beside(
+            (_ring(solved), heaviest_section(solved)), (rosette_section(solved),), key="ring"
+        )
+        sections += [*_set(solved), beside, stiffness_section(solved)]
         sections += [*element_sections(solved), *roller_pictures(solved), *_rolling(solved)]
     else:  # files have its elements all the same, without numbers
         sections += element_sections(solved)
@@ -84,12 +84,6 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
 
 
 # --- the inner ring ----------------------------------------------------------------------------
-
-
-def _middle(solved: Solved) -> Beside:
-    """Show the ring above the heaviest element, and the rosettes beside them."""
-    left = (_ring(solved), heaviest_section(solved))
-    return Beside(left, (rosette_section(solved),), key="ring")
 
 
 def _ring(solved: Solved) -> Section:
@@ -147,14 +141,16 @@ def _known(duty: Duty, axis: str, load: str) -> tuple[str, bool]:
 
 def stiffness_section(solved: Solved) -> Section:
     """Show the 5 x 5 matrix in four blocks of one unit each."""
-    matrix = solved.stiffness.array[0].tolist()
+    stiffness = solved.stiffness.array[0]
+    diagonal = np.abs(np.outer(stiffness.diagonal(), stiffness.diagonal()))
+    noise = stiffness * stiffness <= _NEGLIGIBLE**2 * diagonal
+    matrix = np.where(noise, 0.0, stiffness)
     forces = ["N/µm"] * _SHIFTS + ["N/mrad"] * (len(AXES) - _SHIFTS)
     moments = ["N·m/mm"] * _SHIFTS + ["N·m/mrad"] * (len(AXES) - _SHIFTS)
     columns = [Column("", ["", *LOADS[:_SHIFTS], "", *LOADS[_SHIFTS:]], "load")]
     for j, axis in enumerate(AXES):
         units = [forces[j]] * _SHIFTS + [moments[j]] * (len(AXES) - _SHIFTS)
-        values = [_without_noise(matrix, i, j) for i in range(len(AXES))]
-        cells = _alike(values, units, (3, 3))
+        cells = _alike(matrix[:, j].tolist(), units, (3, 3))
         tones: list[Tone] = ["strong" if i == j else "" for i in range(len(AXES))]
         columns.append(
             Column(
@@ -169,7 +165,7 @@ def stiffness_section(solved: Solved) -> Section:
     return Section(said("Stiffness"), (table, _stiffness_file(matrix)), "stiffness")
 
 
-def _stiffness_file(matrix: list[list[float]]) -> Table:
+def _stiffness_file(matrix: FloatArray) -> Table:
     """Return the matrix for files: a load in a row, the units of its two kinds behind it."""
     count = len(AXES) - _SHIFTS
     shift = ["N/µm"] * _SHIFTS + ["N·m/mm"] * count
@@ -177,17 +173,13 @@ def _stiffness_file(matrix: list[list[float]]) -> Table:
     columns = [Column("load", LOADS, "load")]
     for j, axis in enumerate(AXES):
         units = shift if j < _SHIFTS else tilt
-        values = [Number(_without_noise(matrix, i, j), f"[{unit}]") for i, unit in enumerate(units)]
+        values = [
+            Number(float(value), f"[{unit}]")
+            for value, unit in zip(matrix[:, j], units, strict=True)
+        ]
         columns.append(Column(axis, values, axis))
     columns += [Column("unit", shift, "shift_unit"), Column("unit", tilt, "tilt_unit")]
     return Table(tuple(columns), "stiffness", only_in_files=True)
-
-
-def _without_noise(matrix: list[list[float]], row: int, column: int) -> float:
-    """Return a stiffness, and rounding errors as zero."""
-    value = matrix[row][column]
-    diagonal = abs(matrix[row][row] * matrix[column][column])
-    return 0.0 if value * value <= _NEGLIGIBLE**2 * diagonal else float(value)
 
 
 # --- the rosette: a small polar drawing of the loads ----------------------------------------------
@@ -281,55 +273,35 @@ def rosette(
     braille
         Draw with braille dots, two by four to a character; otherwise with ASCII.
     """
-    canvas = _Canvas(height, braille=braille)
-    for step in range(16 * height):
-        canvas.dot(1.0, 2.0 * pi * step / (16 * height), loaded=False)
-    for load, azimuth in zip(loads, azimuths, strict=True):
-        if load > 0.0:
-            canvas.spoke(load / rim, azimuth)
-    return canvas.lines()
-
-
-class _Canvas:
-    """Dots on a grid of characters, addressed by radius (1 at the rim) and azimuth."""
-
-    def __init__(self, height: int, *, braille: bool) -> None:
-        self._height, self._width = height, 2 * height
-        self._braille = braille
-        self._across, self._down = (2, 4) if braille else (1, 1)
-        self._rim: set[tuple[int, int]] = set()
-        self._loads: set[tuple[int, int]] = set()
-
-    def dot(self, radius: float, azimuth: float, *, loaded: bool) -> None:
-        columns, rows = self._width * self._across, self._height * self._down
-        column = round((columns - 1) / 2 * (1.0 + radius * sin(azimuth)))
-        row = round((rows - 1) / 2 * (1.0 - radius * cos(azimuth)))
-        (self._loads if loaded else self._rim).add((row, column))
-
-    def spoke(self, length: float, azimuth: float) -> None:
-        steps = self._width * self._across
-        for step in range(round(length * steps) + 1):
-            self.dot(step / steps, azimuth, loaded=True)
-
-    def lines(self) -> Sketch:
-        return [
-            [self._cell(row, column) for column in range(self._width)]
-            for row in range(self._height)
+    across, down = (2, 4) if braille else (1, 1)
+    columns, rows = 2 * height * across, height * down
+    circle = [(1.0, 2.0 * pi * step / (16 * height)) for step in range(16 * height)]
+    spokes = [
+        (step / columns, azimuth)
+        for load, azimuth in zip(loads, azimuths, strict=True)
+        if load > 0.0
+        for step in range(round(load / rim * columns) + 1)
+    ]
+    dots: dict[tuple[int, int], bool] = {}  # by row and column, whether of a load
+    for loaded, drawn in ((False, circle), (True, spokes)):
+        for radius, azimuth in drawn:
+            column = round((columns - 1) / 2 * (1.0 + radius * sin(azimuth)))
+            row = round((rows - 1) / 2 * (1.0 - radius * cos(azimuth)))
+            dots[row, column] = loaded
+    lines: Sketch = [[] for _ in range(height)]
+    for row, column in product(range(height), range(2 * height)):
+        places = [
+            (r, c, (down * row + r, across * column + c))
+            for r in range(down)
+            for c in range(across)
         ]
-
-    def _cell(self, row: int, column: int) -> tuple[str, Tone]:
-        if not self._braille:
-            loaded = (row, column) in self._loads
-            character = "o" if loaded else "." if (row, column) in self._rim else " "
-            return character, "mark" if loaded else "faint"
-        bits, loaded = 0, False
-        for down in range(self._down):
-            for across in range(self._across):
-                place = (self._down * row + down, self._across * column + across)
-                loaded = loaded or place in self._loads
-                if place in self._loads or place in self._rim:
-                    bits |= _BITS[down][across]
-        return chr(_BRAILLE + bits) if bits else " ", "mark" if loaded else "faint"
+        inside = [(r, c, dots[place]) for r, c, place in places if place in dots]
+        loaded = any(of_load for _, _, of_load in inside)
+        character = "o" if loaded else "."
+        if braille:
+            character = chr(_BRAILLE + sum(_BITS[r][c] for r, c, _ in inside))
+        lines[row].append((character if inside else " ", "mark" if loaded else "faint"))
+    return lines
 
 
 # --- the rows of a set and their preload -------------------------------------------------------
@@ -509,42 +481,27 @@ def _rolling(solved: Solved) -> list[Section]:
         "β, β′ angles of the ball's axis to the shaft, in its axial plane and out of it; s "
         "spin-to-roll ratio, P power lost, v slip at the contact's centre along the orbit"
     )
-    columns = (
-        Column("#", list(range(len(solved.elements.row))), "ball"),
-        column(solved, "ψ", "°", of_element("azimuth"), "azimuth", figures=5),
-        column(solved, "β", "°", without_rounding(of_element("attitude")), "attitude"),
-        column(solved, "β′", "°", without_rounding(of_element("yaw")), "yaw", figures=3, most=3),
-        *(
-            column(solved, f"s_{race[0]}", "–", _spin(race), f"{race}_spin", figures=3, most=3)
-            for race in RACES
-        ),
-        *(
-            column(solved, f"P_{race[0]}", "W", _of_rolling(race, "power"), f"{race}_power", most=3)
-            for race in RACES
-        ),
-        *(
-            column(solved, f"v_{race[0]}", "mm/s", _of_rolling(race, "slip"), f"{race}_slip")
-            for race in RACES
-        ),
-    )
-    table = Table(columns, "rolling", legends=(legend,), rule=True)
+    elements = solved.elements
+    tilt, yaw = (without_rounding(one[0]).tolist() for one in (elements.attitude, elements.yaw))
+    columns = [
+        Column("#", list(range(len(elements.row))), "ball"),
+        Column("ψ", elements.azimuth[0].tolist(), "azimuth", "°", figures=5),
+        Column("β", tilt, "attitude", "°"),
+        Column("β′", yaw, "yaw", "°", figures=3, most=3),
+    ]
+    for race in RACES:
+        own, other = solved.contacts[race], solved.contacts["outer" if race == "inner" else "inner"]
+        touched = own.load[0] > NO_LOAD * other.load[0]
+        spin = without_rounding(np.where(touched, own.spin_to_roll[0], np.nan))
+        name = f"{race}_spin"
+        columns.append(Column(f"s_{race[0]}", spin.tolist(), name, "–", figures=3, most=3))
+    for symbol, unit, name, most in (("P", "W", "power", 3), ("v", "mm/s", "slip", 2)):
+        for race in RACES:
+            values = getattr(getattr(rolling, race), name)[0].tolist()
+            columns.append(Column(f"{symbol}_{race[0]}", values, f"{race}_{name}", unit, most=most))
+    table = Table(tuple(columns), "rolling", legends=(legend,), rule=True)
     facts = Section(said("Motion under friction"), (KeyValues(entries, 2),), "rolling")
     return [facts, Section("", (table,))]
-
-
-def _spin(race: Race) -> Values:
-    """Spin to roll, if the race touches the ball."""
-
-    def values(solved: Solved) -> FloatArray:
-        own, other = solved.contacts[race], solved.contacts["outer" if race == "inner" else "inner"]
-        touched: BoolArray = own.load[0] > NO_LOAD * other.load[0]
-        return np.where(touched, own.spin_to_roll[0], np.nan)
-
-    return without_rounding(values)
-
-
-def _of_rolling(race: Race, name: str) -> Values:
-    return lambda solved: getattr(getattr(solved.rolling, race), name)[0]
 
 
 def _cage(rolling: Rolling) -> str:

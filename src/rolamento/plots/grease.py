@@ -20,7 +20,7 @@ from rolamento.words.sentences.grease import LAWS
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.tasks.grease import GreaseCase
+    from rolamento.grease.of_case import GreaseCase
 
 __all__ = ["grease_figure", "life_over_temperature"]
 

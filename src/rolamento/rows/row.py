@@ -43,7 +43,10 @@ class RowSizes:
 
 @frozen
 class RowGeometry:
-    """What the result names a row's geometry; (cases,) each, as `rolamento.solved.Rows`."""
+    """What the result names a row's geometry; (cases,) each, as `rolamento.solved.Rows`.
+
+    effective_length: NaN of balls.
+    """
 
     ball_diameter: FloatArray
     pitch_diameter: FloatArray
@@ -51,7 +54,7 @@ class RowGeometry:
     outer_conformity: FloatArray
     free_contact_angle: FloatArray
     modulus: FloatArray
-    effective_length: FloatArray | None = None
+    effective_length: FloatArray
 
 
 @frozen(eq=False, kw_only=True)
@@ -243,7 +246,7 @@ class Guided(Protocol):
         """
         ...
 
-    def verdict(self, held: Response, which: Index) -> IntArray:
+    def verdict(self, held: Response, which: Index = slice(None)) -> IntArray:
         """Which race would guide each element by the row's own criterion; (cases, elements).
 
         which: the cases that are held.
@@ -302,20 +305,15 @@ class WholeBearing(Guided, Protocol):
     """A row that is a whole bearing by itself: ring and elements are balanced in one go."""
 
     @property
-    def cases(self) -> int:
-        """Number of cases."""
-        ...
-
-    @property
-    def element_count(self) -> int:
-        """Elements in the row."""
+    def shape(self) -> tuple[int, int]:
+        """Cases and elements."""
         ...
 
     def asked(self, free: BoolArray, load: FloatArray, place: FloatArray) -> Self:
         """Put in what is asked of the ring: as `SelfBalancing`, of all cases."""
         ...
 
-    def alone(self, which: Indices | None = None) -> Alone:
+    def solve(self, which: Index = slice(None)) -> Alone:
         """Balance ring and elements of all cases, or some."""
         ...
 

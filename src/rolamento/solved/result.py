@@ -192,14 +192,6 @@ class Solved:
         UnknownKeyError
             If a case has no such number.
         """
-        own = self._own_number(name)
-        given = self.varied.get(name)
-        if given is None:
-            return np.full(len(self), own)
-        invalid = self.status.number == INVALID_INPUT
-        return np.where(invalid, own if isfinite(own) else 1.0, given)
-
-    def _own_number(self, name: str) -> float:
         value: Any = self.case
         for part in name.split("."):
             if value is not None and not hasattr(value, part):
@@ -210,7 +202,12 @@ class Solved:
                     example=f'solved.field("{near}")',
                 )
             value = None if value is None else getattr(value, part)
-        return float("nan") if value is None else float(value)
+        own = float("nan") if value is None else float(value)
+        given = self.varied.get(name)
+        if given is None:
+            return np.full(len(self), own)
+        invalid = self.status.number == INVALID_INPUT
+        return np.where(invalid, own if isfinite(own) else 1.0, given)
 
     # --- tables ---------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import field, fields, replace
 from functools import cached_property
+from operator import attrgetter
 from typing import Any, Final, NamedTuple, Protocol, Self, TypeVar, runtime_checkable
 
 import numpy as np
@@ -378,6 +379,13 @@ class Rows:
 _Shapes = TypeVar("_Shapes", HertzContact, MaximumShear, OrthogonalShear)
 
 
+def _column(path: str, meaning: str) -> cached_property[FloatArray]:
+    """A column of contacts that stands in a record of theirs, made when it is first asked for."""
+    found = cached_property[FloatArray](attrgetter(path))
+    found.__doc__ = meaning
+    return found
+
+
 @frozen(eq=False, slots=False)
 class Contacts:
     """The contacts of one race; (cases, elements), SI, NaN where a case has no result.
@@ -404,10 +412,25 @@ class Contacts:
     line: Line | None = field(repr=False, default=None)
     effective_length: FloatArray | None = field(repr=False, default=None)
 
-    @property
-    def contact_angle(self) -> FloatArray:
-        """Angle of the contact (rad)."""
-        return self.angle.value
+    contact_angle = _column("angle.value", "Angle of the contact (rad).")
+    rolling_curvature = _column("curvature.rolling", "1/R_x, summed over element and ring (1/m).")
+    semi_major = _column("_hertz.semi_major", "A of the contact ellipse, across rolling (m).")
+    semi_minor = _column("_hertz.semi_minor", "B of the contact ellipse, along rolling (m).")
+    ellipticity = _column("_hertz.ellipticity", "a/b, of an unloaded contact too.")
+    max_pressure = _column("_hertz.max_pressure", "Hertz pressure in the middle (Pa).")
+    mean_pressure = _column("_hertz.mean_pressure", "Load over the area of the ellipse (Pa).")
+    max_shear = _column(
+        "_maximum_shear.shear", "The maximum shear stress in the ring under the centre (Pa)."
+    )
+    max_shear_depth = _column("_maximum_shear.depth", "Depth (m).")
+    orthogonal_shear = _column(
+        "_orthogonal_shear.amplitude",
+        "Amplitude of the shear that alternates along the surface (Pa).",
+    )
+    orthogonal_shear_depth = _column("_orthogonal_shear.depth", "Depth (m).")
+    entrainment = _column(
+        "surface_speeds.entrainment", "Mean speed of the two surfaces along rolling (m/s)."
+    )
 
     @cached_property
     def curvature(self) -> RaceCurvature:
@@ -425,39 +448,9 @@ class Contacts:
         return self._of_lines(line_contact(self.line, self.effective_length, self.load), point)
 
     @property
-    def rolling_curvature(self) -> FloatArray:
-        """1/R_x, summed over element and ring (1/m)."""
-        return self.curvature.rolling
-
-    @cached_property
-    def semi_major(self) -> FloatArray:
-        """A of the contact ellipse, across rolling (m)."""
-        return self._hertz.semi_major
-
-    @cached_property
-    def semi_minor(self) -> FloatArray:
-        """B of the contact ellipse, along rolling (m)."""
-        return self._hertz.semi_minor
-
-    @cached_property
-    def ellipticity(self) -> FloatArray:
-        """a/b, of an unloaded contact too."""
-        return self._hertz.ellipticity
-
-    @property
     def resistance_to_spin(self) -> FloatArray:
         """Q a E(m), as of `rolamento.kinematics.spin_resistance` (N·m)."""
         return self.load * self.semi_major * self._hertz.second_integral
-
-    @cached_property
-    def max_pressure(self) -> FloatArray:
-        """Hertz pressure in the middle (Pa)."""
-        return self._hertz.max_pressure
-
-    @cached_property
-    def mean_pressure(self) -> FloatArray:
-        """Load over the area of the ellipse (Pa)."""
-        return self._hertz.mean_pressure
 
     @cached_property
     def _maximum_shear(self) -> MaximumShear:
@@ -483,26 +476,6 @@ class Contacts:
         return type(point)(**both)
 
     @cached_property
-    def max_shear(self) -> FloatArray:
-        """The maximum shear stress in the ring under the centre (Pa)."""
-        return self._maximum_shear.shear
-
-    @cached_property
-    def max_shear_depth(self) -> FloatArray:
-        """Depth (m)."""
-        return self._maximum_shear.depth
-
-    @cached_property
-    def orthogonal_shear(self) -> FloatArray:
-        """Amplitude of the shear that alternates along the surface (Pa)."""
-        return self._orthogonal_shear.amplitude
-
-    @cached_property
-    def orthogonal_shear_depth(self) -> FloatArray:
-        """Depth (m)."""
-        return self._orthogonal_shear.depth
-
-    @cached_property
     def spin_to_roll(self) -> FloatArray:
         """Ratio of the angular speeds about the normal and along the surface."""
         return spin_to_roll(self.spin, self.roll) + 0.0
@@ -515,11 +488,6 @@ class Contacts:
             self.race, self.ball_diameter, self.pitch_diameter, self.angle,
             self.ring_speed, motion.orbital_speed, motion.ball_speed, motion.attitude, motion.yaw,
         )  # fmt: skip
-
-    @property
-    def entrainment(self) -> FloatArray:
-        """Mean speed of the two surfaces along rolling (m/s)."""
-        return self.surface_speeds.entrainment
 
 
 @frozen

@@ -3,34 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any, Final
 
 import numpy as np
 
+from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.solved import RACES, Solved
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import marked, said
 
 Get = Callable[[Evaluation], Floats]
 
 _CONTACT: Final = (
-    ("load", "N"),
-    ("contact_angle", "rad"),
-    ("deflection", "m"),
-    ("semi_major", "m"),
-    ("semi_minor", "m"),
-    ("max_pressure", "Pa"),
-    ("mean_pressure", "Pa"),
-    ("spin_to_roll", "1"),
+    ("load", "N", marked("contact load")),
+    ("contact_angle", "rad", marked("contact angle")),
+    ("deflection", "m", marked("contact deflection")),
+    ("semi_major", "m", marked("semi-major axis of the ellipse")),
+    ("semi_minor", "m", marked("semi-minor axis of the ellipse")),
+    ("max_pressure", "Pa", marked("Hertz pressure")),
+    ("mean_pressure", "Pa", marked("mean Hertz pressure")),
+    ("spin_to_roll", "1", marked("spin-to-roll ratio")),
 )
 _BALL: Final = (
-    ("centrifugal_force", "N"),
-    ("gyroscopic_moment", "N*m"),
-    ("orbital_speed", "rad/s"),
-    ("ball_speed", "rad/s"),
-    ("attitude", "rad"),
+    ("centrifugal_force", "N", marked("centrifugal force")),
+    ("gyroscopic_moment", "N*m", marked("gyroscopic moment")),
+    ("orbital_speed", "rad/s", marked("orbital speed")),
+    ("ball_speed", "rad/s", marked("ball speed about its own axis")),
+    ("attitude", "rad", marked("angle of the ball's axis to the shaft")),
 )
 _ONLY_LOADED: Final = ("contact_angle", "spin_to_roll")
 """Means nothing at a contact without load, and is left out of what is taken over the balls."""
@@ -50,15 +53,19 @@ def ring_outputs() -> tuple[Output, ...]:
         Output(
             "residual",
             "1",
+            lambda: said("residual of the equilibrium, over the scale of its loads"),
             lambda given: given.solved.status.residual,
         ),
         Output(
             "iterations",
             "1",
+            lambda: said("Newton iterations"),
             lambda given: given.solved.status.iterations,
             kind="whole",
         ),
-        Output("loaded_balls", "1", _loaded_balls),
+        Output(
+            "loaded_balls", "1", lambda: said("number of loaded balls (inner race)"), _loaded_balls
+        ),
     )
 
 
@@ -66,6 +73,7 @@ def _displacement(axis: str) -> Output:
     return Output(
         axis,
         "rad" if len(axis) > 1 else "m",
+        lambda: Case.fields()[f"duty.displacement.{axis}"].label,
         lambda given: getattr(given.solved.displacement, axis),
     )
 
@@ -74,15 +82,18 @@ def _load(load: str) -> Output:
     return Output(
         load,
         "N*m" if load[0] == "m" else "N",
+        lambda: Case.fields()[f"duty.load.{load}"].label,
         lambda given: getattr(given.solved.load, load),
     )
 
 
 def _stiffness(load: str, axis: str) -> Output:
     unit = ("N*m" if load[0] == "m" else "N") + ("/rad" if len(axis) > 1 else "/m")
+    along = AXES[LOADS.index(load)]
     return Output(
-        f"stiffness_{AXES[LOADS.index(load)]}{axis}",
+        f"stiffness_{along}{axis}",
         {"N*m/m": "N"}.get(unit, unit),
+        lambda: said("stiffness {load}–{axis}", load=along, axis=axis),
         lambda given: given.solved.stiffness[load, axis],
     )
 
@@ -97,40 +108,74 @@ def _loaded_balls(given: Evaluation) -> Floats:
 
 def ball_outputs() -> tuple[Output, ...]:
     """Return the outputs of the balls: each by itself, and its maximum, minimum and mean."""
-    azimuth = Output("azimuth", "rad", _of_elements("azimuth"), along="ball")
+    azimuth = Output(
+        "azimuth", "rad", lambda: said("azimuth of the ball"), _of_elements("azimuth"), along="ball"
+    )
     return (azimuth, *_of_contacts(), *_of_balls())
 
 
 def _of_contacts() -> Iterator[Output]:
     for race in RACES:
-        for name, unit in _CONTACT:
+        for name, unit, called in _CONTACT:
             get = _of_race(race, name)
-            yield from family(f"{race}_{name}", unit, get, race)
+            yield from family(f"{race}_{name}", unit, at_race(race, called), get, race)
 
 
 def _of_balls() -> Iterator[Output]:
-    for name, unit in _BALL:
-        yield from family(name, unit, _of_elements(name), None)
+    for name, unit, called in _BALL:
+        yield from family(name, unit, partial(said, called), _of_elements(name), None)
+
+
+def at_race(race: Race, quantity: str) -> Callable[[], str]:
+    """Return what a quantity of the contacts with a race is called; to be said later."""
+    if race == "inner":
+        return lambda: said("{quantity}, inner race", quantity=said(quantity))
+    return lambda: said("{quantity}, outer race", quantity=said(quantity))
 
 
 def family(
-    name: str, unit: str, get: Get, race: Race | None, needs: tuple[str, ...] = ()
+    name: str,
+    unit: str,
+    called: Callable[[], str],
+    get: Get,
+    race: Race | None,
+    needs: tuple[str, ...] = (),
 ) -> Iterator[Output]:
     """Make an output per ball, and what is taken of it over the balls; of some, over each row's.
 
     race: whose loads show which balls count, for outputs that mean nothing without load.
     """
-    yield Output(name, unit, get, along="ball", needs=needs)
+    yield Output(name, unit, called, get, along="ball", needs=needs)
     among = race if name.endswith(_ONLY_LOADED) else None
+    reduced = partial(_loaded_balls_of, called) if name.endswith(_ONLY_LOADED) else called
     for prefix, reduce in _REDUCTIONS:
         compute = _reduced(get, reduce, among)
         if prefix == "max" and race is not None and name.endswith("_max_pressure"):
             compute = _maximum_pressure(race)
-        yield Output(f"{prefix}_{name}", unit, compute, needs=needs)
+        label = partial(_called_by, prefix, reduced)
+        yield Output(f"{prefix}_{name}", unit, label, compute, needs=needs)
     for prefix, ufunc in _OF_ROWS:
         if name.endswith(_BY_ROW[prefix]):
             compute = _reduced_by_row(get, ufunc, among)
-            yield Output(f"row_{prefix}_{name}", unit, compute, along="row", needs=needs)
+            label = partial(_per_row, partial(_called_by, prefix, reduced))
+            yield Output(f"row_{prefix}_{name}", unit, label, compute, along="row", needs=needs)
+
+
+def _loaded_balls_of(called: Callable[[], str]) -> str:
+    return said("{quantity}, loaded balls", quantity=called())
+
+
+def _called_by(reduction: str, called: Callable[[], str]) -> str:
+    name = called()
+    return {
+        "max": said("maximum {quantity}", quantity=name),
+        "min": said("minimum {quantity}", quantity=name),
+        "mean": said("mean {quantity}", quantity=name),
+    }[reduction]
+
+
+def _per_row(called: Callable[[], str]) -> str:
+    return said("{quantity}, per row", quantity=called())
 
 
 def _of_elements(name: str) -> Get:
@@ -186,11 +231,7 @@ def _mean(values: Floats) -> Floats:
     return mean
 
 
-_REDUCTIONS: Final = (
-    ("max", _maximum),
-    ("min", _minimum),
-    ("mean", _mean),
-)
+_REDUCTIONS: Final = (("max", _maximum), ("min", _minimum), ("mean", _mean))
 _OF_ROWS: Final = (("max", np.fmax), ("min", np.fmin))
 _BY_ROW: Final = {
     "max": ("_load", "contact_angle", "max_pressure", "spin_to_roll"),

@@ -10,14 +10,17 @@ and SKF's, have all sources in them.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento.friction.models import torque_model_name
 from rolamento.geometry import Race
 from rolamento.solved import RACES
-from rolamento.studies.bearing_outputs import family
+from rolamento.studies.bearing_outputs import at_race, family
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.friction import Friction, Torque
@@ -36,18 +39,21 @@ def friction_outputs() -> tuple[Output, ...]:
         Output(
             "hysteresis_torque",
             "N*m",
+            lambda: said("friction torque, elastic hysteresis"),
             _source("hysteresis"),
             needs=_COEFFICIENT,
         ),
         Output(
             "rib_torque",
             "N*m",
+            lambda: said("friction torque, sliding of rollers at the ribs"),
             _source("rib"),
             needs=_OF_ROLLERS,
         ),
         Output(
             "rolling_resistance_torque",
             "N*m",
+            lambda: said("friction torque, rolling resistance of the oil"),
             _source("rolling_resistance"),
             needs=(*_COEFFICIENT, *_OIL),
         ),
@@ -65,6 +71,7 @@ def _of_models() -> Iterator[Output]:
                 yield Output(
                     f"friction_{name}_{model}",
                     unit,
+                    partial(_of_model, name, model),
                     _of_whole(model, name),
                     needs=(*_COEFFICIENT, *_OIL, "bearing.designation"),
                 )
@@ -74,23 +81,28 @@ def _of_models() -> Iterator[Output]:
             yield Output(
                 f"friction_{name}_{model}",
                 unit,
+                partial(_of_model, name, model),
                 _total(model, name),
                 needs=_OF_ROLLERS if model == ROLLER_MODEL else _OF_BALLS,
                 slow=not known.closed_form,
             )
 
 
+def _of_model(what: str, model: str) -> str:
+    name = torque_model_name(model)
+    if what == "torque":
+        return said("friction torque, {model}", model=name)
+    return said("friction power loss, {model}", model=name)
+
+
 def _of_control() -> Iterator[Output]:
     """What friction control finds, where the case is solved with it."""
-    for name, unit, attribute in (
-        ("rolling_power", "W", "power"),
-        ("cage_speed", "rad/s", "cage_speed"),
+    for name, unit, called, attribute in (
+        ("rolling_power", "W", marked("power loss in the contacts (friction control)"), "power"),
+        ("cage_speed", "rad/s", marked("cage speed (friction control)"), "cage_speed"),
     ):
         yield Output(
-            name,
-            unit,
-            _of_rolling(attribute),
-            needs=("friction control",),
+            name, unit, partial(said, called), _of_rolling(attribute), needs=("friction control",)
         )
 
 
@@ -99,6 +111,7 @@ def _of_contacts() -> Iterator[Output]:
         yield from family(
             f"{race}_spin_loss",
             "W",
+            at_race(race, marked("spin power loss")),
             _spin_loss(race),
             None,
             _OF_BALLS,
@@ -106,6 +119,7 @@ def _of_contacts() -> Iterator[Output]:
         yield from family(
             f"{race}_pressure_slip",
             "W/m^2",
+            at_race(race, marked("maximum of pressure times slip")),
             _pressure_slip(race),
             None,
             ("balls",),

@@ -6,32 +6,63 @@ Of cases with a [heat] table; what the study varies is that of the balances too.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.heat import HeatBalance
     from rolamento.solved import Solved
 
 _NEEDS: Final = ("lubricant", "heat")
-_NODES: Final = ("inner_ring", "elements", "outer_ring", "shaft", "housing")
+_NODES: Final = {
+    "inner_ring": marked("temperature of the inner ring (heat balance)"),
+    "elements": marked("temperature of the rolling elements (heat balance)"),
+    "outer_ring": marked("temperature of the outer ring (heat balance)"),
+    "shaft": marked("temperature of the shaft (heat balance)"),
+    "housing": marked("temperature of the housing (heat balance)"),
+}
 
 
 def heat_outputs() -> tuple[Output, ...]:
     """Return the outputs of the heat balance."""
-    temperatures = [
-        Output(f"warm_{node}", "K", _of(_temperature(node)), needs=_NEEDS, slow=True)
-        for node in _NODES
-    ]
-    return (
-        *temperatures,
-        Output("warm_power", "W", _of(lambda one: one.power), needs=_NEEDS, slow=True),
-        Output("warm_preload", "N", _of(_preload), needs=(*_NEEDS, "bearing.preload"), slow=True),
-        Output("warm_max_pressure", "Pa", _of(_pressure), needs=_NEEDS, slow=True),
-        Output("warm_slope", "1", _of(_slope), needs=_NEEDS, slow=True),
+    return tuple(
+        Output(f"warm_{name}", unit, partial(said, called), _of(value), needs=needs, slow=True)
+        for name, unit, called, value, needs in (
+            *((node, "K", called, _temperature(node), _NEEDS) for node, called in _NODES.items()),
+            (
+                "power",
+                "W",
+                marked("friction power loss (heat balance)"),
+                lambda one: one.power,
+                _NEEDS,
+            ),
+            (
+                "preload",
+                "N",
+                marked("axial preload (heat balance)"),
+                _preload,
+                (*_NEEDS, "bearing.preload"),
+            ),
+            (
+                "max_pressure",
+                "Pa",
+                marked("maximum contact pressure (heat balance)"),
+                _pressure,
+                _NEEDS,
+            ),
+            (
+                "slope",
+                "1",
+                marked("slope of the friction over the heat (heat balance)"),
+                _slope,
+                _NEEDS,
+            ),
+        )
     )
 
 

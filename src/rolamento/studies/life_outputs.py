@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from operator import attrgetter
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -13,7 +15,8 @@ from rolamento.life import LifeSummary
 from rolamento.life.theories import THEORIES
 from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
 from rolamento.studies.outputs import Evaluation, Floats, Output
-from rolamento.words import said
+from rolamento.words import marked, said
+from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -30,6 +33,11 @@ _LIFE: Final = ("life",)
 _MODIFIED: Final = (*_LIFE, VISCOSITY_RATIO.name, CLEANLINESS.name)
 _LEADING: Final = ""
 """In the place of a theory's name: the life that leads."""
+_FACTORS: Final = {
+    "iso281": marked("life modification factor a_ISO (ISO 281)"),
+    "iso16281": marked("life modification factor a_ISO (ISO/TS 16281)"),
+}
+"""What the factors of the modified lives are called, by standard."""
 _HOURS: Final = "h"
 _REVOLUTIONS: Final = "Mrev"
 """As the whole field counts lives; the only outputs that are not in SI units."""
@@ -119,19 +127,35 @@ def _of_theories() -> Iterator[Output]:
     for theory, needs, slow in (leading, *own):
         end = f"_{theory}" if theory else ""
         for name, unit, attribute in (
-            ("life_hours", _HOURS, "hours"),
-            ("life_revolutions", _REVOLUTIONS, "life"),
+            ("hours", _HOURS, "hours"),
+            ("revolutions", _REVOLUTIONS, "life"),
         ):
-            compute = _number(_life(theory, attribute), slow)
-            yield Output(f"{name}{end}", unit, compute, needs=needs, slow=slow)
+            compute, called = _number(_life(theory, attribute), slow), partial(_of, name, theory)
+            yield Output(f"life_{name}{end}", unit, called, compute, needs=needs, slow=slow)
         yield Output(
             f"life_valid{end}",
             "1",
+            partial(_of, "valid", theory),
             _validity(theory, slow),
             kind="whole",
             needs=needs,
             slow=slow,
         )
+
+
+def _of(what: str, theory: str) -> str:
+    if theory == _LEADING:
+        return {
+            "hours": said("life"),
+            "revolutions": said("life in revolutions"),
+            "valid": said("life valid (1) or not (0)"),
+        }[what]
+    name = theory_name(theory)
+    return {
+        "hours": said("life, {theory}", theory=name),
+        "revolutions": said("life in revolutions, {theory}", theory=name),
+        "valid": said("life valid (1) or not (0), {theory}", theory=name),
+    }[what]
 
 
 def _bound() -> Output:
@@ -141,50 +165,73 @@ def _bound() -> Output:
             return np.zeros(len(found.solved), np.int32)
         return np.asarray(summary.headline.below & found.solved.converged, np.int32)
 
-    return Output("life_upper_bound", "1", compute, kind="whole", needs=_LIFE)
+    return Output(
+        "life_upper_bound",
+        "1",
+        lambda: said("life an upper bound (1) or not (0)"),
+        compute,
+        kind="whole",
+        needs=_LIFE,
+    )
 
 
 def _of_loads() -> Iterator[Output]:
-    for name, unit, get in (
-        ("dynamic_rating", "N", lambda s: s.ratings.dynamic_of_set),
-        ("static_rating", "N", lambda s: s.ratings.static_of_set),
-        ("fatigue_load_limit", "N", lambda s: s.ratings.fatigue_of_set),
-        ("equivalent_load", "N", lambda s: s.loads.dynamic),
-        ("reference_load", "N", lambda s: s.reference_load),
-        ("static_equivalent_load", "N", lambda s: s.loads.static),
-        ("static_safety", "1", lambda s: s.loads.safety),
-        ("rating_over_load", "1", _rating_over_load),
-    ):
-        yield Output(name, unit, _number(get), needs=_LIFE)
+    for name, unit, called, path in (
+        ("dynamic_rating", "N", marked("basic dynamic load rating C"), "ratings.dynamic_of_set"),
+        ("static_rating", "N", marked("basic static load rating C_0"), "ratings.static_of_set"),
+        ("fatigue_load_limit", "N", marked("fatigue load limit C_u"), "ratings.fatigue_of_set"),
+        ("equivalent_load", "N", marked("equivalent dynamic load P (ISO 281)"), "loads.dynamic"),
+        ("reference_load", "N", marked("equivalent reference load P_ref (ISO/TS 16281)"),
+         "reference_load"),
+        ("static_equivalent_load", "N", marked("equivalent static load P_0"), "loads.static"),
+        ("static_safety", "1", marked("static safety factor S_0 = C_0/P_0"), "loads.safety"),
+    ):  # fmt: skip
+        yield Output(name, unit, partial(said, called), _number(attrgetter(path)), needs=_LIFE)
+    ratio = _number(_rating_over_load)
+    yield Output("rating_over_load", "1", lambda: said("load ratio C/P"), ratio, needs=_LIFE)
 
 
 def _of_factors() -> Iterator[Output]:
     factors = (
-        (f"modification_factor_{one.name.removesuffix('_modified')}", one.name)
+        (f"modification_factor_{standard}", _FACTORS[standard], _factor(one.name), _MODIFIED)
         for one in THEORIES.values()
         if CLEANLINESS in one.needs
+        for standard in [one.name.removesuffix("_modified")]
     )
-    for name, get, needs in (
-        ("contamination_factor", _contamination, _MODIFIED),
-        *((name, _factor(theory), _MODIFIED) for name, theory in factors),
+    for name, called, get, needs in (
+        ("contamination_factor", marked("contamination factor e_C"), _contamination, _MODIFIED),
+        *factors,
         (
             "required_life_reliability",
+            marked("reliability at the required life"),
             _reliability_of_required,
             (*_LIFE, REQUIRED_LIFE.name),
         ),
     ):
-        yield Output(name, "1", _number(get), needs=needs)
+        yield Output(name, "1", partial(said, called), _number(get), needs=needs)
 
 
 def _of_limit() -> Iterator[Output]:
     """What ends the life: numbers, so that they can be drawn over anything."""
-    for name, get in (
-        ("inner_risk_share", _inner_share),
-        ("weakest_race_share", lambda s: s.limit.share),
-        ("weakest_row", _weakest_row),
-        ("weakest_ball", _weakest_ball),
+    for name, called, get in (
+        (
+            "inner_risk_share",
+            marked("share of the inner races in the failure probability"),
+            _inner_share,
+        ),
+        (
+            "weakest_race_share",
+            marked("share of the weakest race in the failure probability"),
+            lambda s: s.limit.share,
+        ),
+        ("weakest_row", marked("row of the weakest race, counted from 0"), _weakest_row),
+        (
+            "weakest_ball",
+            marked("heaviest ball on the weakest race, counted from 0"),
+            _weakest_ball,
+        ),
     ):
-        yield Output(name, "1", _number(get), needs=_LIFE)
+        yield Output(name, "1", partial(said, called), _number(get), needs=_LIFE)
 
 
 def _number(get: Get, stress_volume: bool = False) -> Callable[[Evaluation], Floats]:

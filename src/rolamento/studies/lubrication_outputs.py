@@ -9,8 +9,9 @@ import numpy as np
 
 from rolamento.geometry import Race
 from rolamento.solved import RACES
-from rolamento.studies.bearing_outputs import family
+from rolamento.studies.bearing_outputs import at_race, family
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.lubrication import Film
@@ -19,10 +20,10 @@ if TYPE_CHECKING:
 _OIL: Final = ("lubricant", "temperature.lubricant")
 _ROUGH: Final = (*_OIL, "surface")
 _CONTACT: Final = (
-    ("central_film_thickness", "central_thickness", "m", _OIL),
-    ("minimum_film_thickness", "minimum_thickness", "m", _OIL),
-    ("film_parameter", "film_parameter", "1", _ROUGH),
-    ("entrainment_speed", "entrainment_speed", "m/s", _OIL),
+    ("central_film_thickness", marked("central film thickness"), "central_thickness", "m", _OIL),
+    ("minimum_film_thickness", marked("minimum film thickness"), "minimum_thickness", "m", _OIL),
+    ("film_parameter", marked("film parameter λ"), "film_parameter", "1", _ROUGH),
+    ("entrainment_speed", marked("entrainment speed"), "entrainment_speed", "m/s", _OIL),
 )
 
 
@@ -33,13 +34,21 @@ def lubrication_outputs() -> tuple[Output, ...]:
         Output(
             "film_parameter",
             "1",
+            lambda: said("film parameter λ, minimum of all contacts"),
             lambda given: given.of(_film).minimum_film_parameter,
             needs=_ROUGH,
         ),
-        Output("viscosity_ratio", "1", _of_oil("viscosity_ratio"), needs=_OIL),
+        Output(
+            "viscosity_ratio",
+            "1",
+            lambda: said("viscosity ratio κ"),
+            _of_oil("viscosity_ratio"),
+            needs=_OIL,
+        ),
         Output(
             "kinematic_viscosity",
             "m^2/s",
+            lambda: said("kinematic viscosity of the lubricant"),
             _of_oil("kinematic_viscosity"),
             needs=_OIL,
         ),
@@ -48,9 +57,9 @@ def lubrication_outputs() -> tuple[Output, ...]:
 
 def _of_contacts() -> Iterator[Output]:
     for race in RACES:
-        for name, attribute, unit, needs in _CONTACT:
+        for name, called, attribute, unit, needs in _CONTACT:
             get = _contact(race, attribute)
-            yield from family(f"{race}_{name}", unit, get, None, needs)
+            yield from family(f"{race}_{name}", unit, at_race(race, called), get, None, needs)
 
 
 def _film(solved: Solved) -> Film:

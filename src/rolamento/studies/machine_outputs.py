@@ -22,12 +22,13 @@ from rolamento.life.system import SystemLife
 from rolamento.numerics import FloatArray
 from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
 from rolamento.status import CONVERGED
-from rolamento.studies.names import OF
-from rolamento.studies.outputs import Along, Kind, Output
+from rolamento.studies.outputs import OF, Along, Kind, Output
+from rolamento.words import marked, said
 
 __all__ = [
     "DEFAULT_OF_MACHINE",
     "MachineEvaluation",
+    "called_of_machines",
     "catalogue_of_machine",
     "in_files",
     "of_each_part",
@@ -82,19 +83,37 @@ Of = Callable[[MachineEvaluation, str], NDArray[Any]]
 
 def catalogue_of_machine(machine: Machine) -> dict[str, Output]:
     """Return what a study of a machine may name: outputs of the whole, and of each of its parts."""
-    of_all = (
-        Output("life_hours", "h", _together),
-        Output("life_valid", "1", _all_valid, kind="whole"),
-        Output("weakest_bearing", "1", _weakest),
-        Output("friction_power", "W", _power, slow=True),
-    )
     bearings = tuple(bearing.name for bearing in machine.bearings)
     shafts = tuple(shaft.name for shaft in machine.shafts)
     of_parts = (
         *(_of_each(described, bearings, "bearing") for described in _of_bearings()),
         *(_of_each(described, shafts, "shaft") for described in _of_shafts()),
     )
-    return {output.name: output for output in (*of_all, *of_parts)}
+    return {output.name: output for output in (*_of_all(), *of_parts)}
+
+
+def called_of_machines() -> dict[str, Callable[[], str]]:
+    """Return what says how each output of a machine is called, by name."""
+    of_parts = ((base, called) for base, _, called, *_ in (*_of_bearings(), *_of_shafts()))
+    return {output.name: output.called for output in _of_all()} | {
+        base: partial(said, called) for base, called in of_parts
+    }
+
+
+def _of_all() -> tuple[Output, ...]:
+    return (
+        Output("life_hours", "h", lambda: said("life"), _together),
+        Output(
+            "life_valid", "1", lambda: said("life valid (1) or not (0)"), _all_valid, kind="whole"
+        ),
+        Output(
+            "weakest_bearing",
+            "1",
+            lambda: said("bearing that limits the life, counted from 0"),
+            _weakest,
+        ),
+        Output("friction_power", "W", lambda: said("friction power loss"), _power, slow=True),
+    )
 
 
 def of_each_part(machine: Machine, output: Output) -> tuple[Output, ...]:
@@ -107,11 +126,16 @@ def of_each_part(machine: Machine, output: Output) -> tuple[Output, ...]:
         replace(
             output,
             name=f"{output.name}{OF}{in_files(name)}",
+            called=partial(_of_part, output, in_files(name)),
             compute=partial(_column, output, place),
             along="",
         )
         for place, name in enumerate(names)
     ) or (output,)
+
+
+def _of_part(output: Output, part: str) -> str:
+    return said("{quantity}, {part}", quantity=output.label, part=part)
 
 
 def _column(output: Output, place: int, given: MachineEvaluation) -> NDArray[Any]:
@@ -123,40 +147,46 @@ def in_files(name: str) -> str:
     return name.replace("/", "∕")
 
 
-_Described = tuple[str, str, Of, Kind]
+_Described = tuple[str, str, str, Of, Kind]
 
 
 def _of_each(described: _Described, names: tuple[str, ...], along: Along) -> Output:
-    base, unit, get, kind = described
+    base, unit, called, get, kind = described
 
     def compute(given: MachineEvaluation) -> NDArray[Any]:
         return np.stack([get(given, name) for name in names], axis=1)
 
-    return Output(base, unit, compute, along, kind)
+    return Output(base, unit, partial(said, called), compute, along, kind)
 
 
 def _of_bearings() -> Iterator[_Described]:
-    for base, unit, read in (
-        ("radial_force", "N", lambda one: one.radial_force),
-        ("axial_force", "N", lambda one: np.abs(one.force[:, 0])),
-        ("tilting_moment", "N*m", lambda one: np.hypot(one.force[:, 3], one.force[:, 4])),
-        ("ring_tilt", "rad", lambda one: one.tilt),
-        ("max_pressure", "Pa", lambda one: one.max_pressure),
+    for base, unit, called, read in (
+        ("radial_force", "N", marked("radial force"), lambda one: one.radial_force),
+        ("axial_force", "N", marked("axial force"), lambda one: np.abs(one.force[:, 0])),
+        (
+            "tilting_moment",
+            "N*m",
+            marked("moment"),
+            lambda one: np.hypot(one.force[:, 3], one.force[:, 4]),
+        ),
+        ("ring_tilt", "rad", marked("tilt between the rings"), lambda one: one.tilt),
+        ("max_pressure", "Pa", marked("maximum contact pressure"), lambda one: one.max_pressure),
     ):
-        yield base, unit, _of_bearing(read), "real"
-    yield "bearing_life_hours", "h", _life, "real"
-    yield "bearing_life_valid", "1", _valid, "whole"
-    yield "bearing_status", "1", lambda given, name: given.number(name), "whole"
+        yield base, unit, called, _of_bearing(read), "real"
+    yield "bearing_life_hours", "h", marked("life"), _life, "real"
+    yield "bearing_life_valid", "1", marked("life valid (1) or not (0)"), _valid, "whole"
+    status = marked("how the solution ended")
+    yield "bearing_status", "1", status, lambda given, name: given.number(name), "whole"
 
 
 def _of_shafts() -> Iterator[_Described]:
-    for base, unit, read in (
-        ("shaft_deflection", "m", lambda one: one.deflection),
-        ("shaft_slope", "rad", lambda one: one.slope),
-        ("shaft_bending_moment", "N*m", lambda one: one.bending_moment),
-        ("shaft_stress", "Pa", lambda one: one.stress),
+    for base, unit, called, read in (
+        ("shaft_deflection", "m", marked("deflection"), lambda one: one.deflection),
+        ("shaft_slope", "rad", marked("slope"), lambda one: one.slope),
+        ("shaft_bending_moment", "N*m", marked("bending moment"), lambda one: one.bending_moment),
+        ("shaft_stress", "Pa", marked("nominal stress"), lambda one: one.stress),
     ):
-        yield base, unit, _of_shaft(read), "real"
+        yield base, unit, called, _of_shaft(read), "real"
 
 
 def _of_bearing(read: Callable[[SeatedBearing], FloatArray]) -> Of:

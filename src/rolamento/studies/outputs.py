@@ -16,8 +16,7 @@ from rolamento.analysis.needs import has_life
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.friction.machine import are_designated
 from rolamento.records import frozen
-from rolamento.studies.names import variable_long_name, variable_name
-from rolamento.words import marked, said
+from rolamento.words import marked, said, speaking
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -30,6 +29,8 @@ Along = Literal["", "ball", "row", "bearing", "shaft"]
 Kind = Literal["real", "whole"]
 Floats = NDArray[np.float64]
 
+OF: Final = " of "
+"""Between an output of a machine and the bearing or shaft that it is of."""
 DEFAULT_OUTPUTS: Final = (
     "x",
     "y",
@@ -71,6 +72,8 @@ class Output:
     unit
         SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
         without one
+    called
+        says what it is called, in the language that is spoken
     compute
         from an `Evaluation`, or that of machines: (cases,), or (cases, balls) or (cases, rows)
     along
@@ -86,6 +89,7 @@ class Output:
 
     name: str
     unit: str
+    called: Callable[[], str]
     compute: Callable[[Any], NDArray[Any]]
     along: Along = ""
     kind: Kind = "real"
@@ -95,12 +99,13 @@ class Output:
     @property
     def label(self) -> str:
         """What it is called, in the language that is spoken."""
-        return variable_name(self.name)
+        return self.called()
 
     @property
     def long_name(self) -> str:
         """What it is called in files: its label in English."""
-        return variable_long_name(self.name)
+        with speaking("en"):
+            return self.called()
 
     @property
     def dtype(self) -> np.dtype[Any]:

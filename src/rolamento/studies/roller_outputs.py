@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -10,8 +11,9 @@ import numpy as np
 from rolamento.geometry import Race
 from rolamento.solved import RACES
 from rolamento.solved.rollers import Line, Rollers
-from rolamento.studies.bearing_outputs import Get, family
+from rolamento.studies.bearing_outputs import Get, at_race, family
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import marked, said
 
 __all__ = ["roller_outputs"]
 
@@ -22,22 +24,44 @@ def roller_outputs() -> tuple[Output, ...]:
     """Return the outputs that only rollers have; NaN of balls."""
     tilt, force = (_of(lambda found: found.tilt), _of(lambda found: found.rib_force))
     return (
-        Output("roller_tilt", "rad", tilt, along="ball", needs=_NEEDS),
-        Output("max_roller_tilt", "rad", _greatest(tilt), needs=_NEEDS),
-        Output("rib_force", "N", force, along="ball", needs=_NEEDS),
-        Output("max_rib_force", "N", _greatest(force), needs=_NEEDS),
+        *_with_greatest("roller_tilt", "rad", marked("tilt of the roller"), tilt),
+        *_with_greatest("rib_force", "N", marked("force of the ribs on the roller"), force),
         *_of_lines(),
-        Output("loaded_rollers", "1", _loaded, needs=_NEEDS),
+        Output(
+            "loaded_rollers",
+            "1",
+            lambda: said("number of loaded rollers (inner race)"),
+            _loaded,
+            needs=_NEEDS,
+        ),
+    )
+
+
+def _with_greatest(name: str, unit: str, called: str, get: Get) -> Iterator[Output]:
+    """An output of each roller, and the greatest magnitude over the rollers; (cases,)."""
+    yield Output(name, unit, partial(said, called), get, along="ball", needs=_NEEDS)
+    yield Output(
+        f"max_{name}",
+        unit,
+        lambda: said("maximum {quantity}", quantity=said(called)),
+        lambda given: np.asarray(np.fmax.reduce(np.abs(get(given)), axis=1)),
+        needs=_NEEDS,
     )
 
 
 def _of_lines() -> Iterator[Output]:
     for race in RACES:
-        for name, unit, read in (
-            ("end_pressure", "Pa", _ends),
-            ("edge_ratio", "1", _edge_ratio),
+        for name, unit, called, read in (
+            ("end_pressure", "Pa", marked("pressure at the roller's worse end"), _ends),
+            (
+                "edge_ratio",
+                "1",
+                marked("pressure at the roller's worse end over that in the middle"),
+                _edge_ratio,
+            ),
         ):
-            yield from family(f"{race}_{name}", unit, _of_line(race, read), race, needs=_NEEDS)
+            label, get = at_race(race, called), _of_line(race, read)
+            yield from family(f"{race}_{name}", unit, label, get, race, needs=_NEEDS)
 
 
 def _of(read: Callable[[Rollers], Floats]) -> Get:
@@ -54,11 +78,6 @@ def _of(read: Callable[[Rollers], Floats]) -> Get:
 
 def _of_line(race: Race, read: Callable[[Line], Floats]) -> Get:
     return _of(lambda found: read(found.inner if race == "inner" else found.outer))
-
-
-def _greatest(get: Get) -> Get:
-    """The greatest magnitude over the rollers; (cases,)."""
-    return lambda given: np.asarray(np.fmax.reduce(np.abs(get(given)), axis=1))
 
 
 def _ends(line: Line) -> Floats:

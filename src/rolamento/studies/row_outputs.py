@@ -6,12 +6,15 @@ The load factors are searched over all cases together; each takes some 20 soluti
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento.case import Case
 from rolamento.case.duty import LOADS
 from rolamento.studies.outputs import Evaluation, Floats, Output
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -28,8 +31,18 @@ def row_outputs() -> tuple[Output, ...]:
 def _of_rows() -> Iterator[Output]:
     for place, name in enumerate(LOADS):
         unit = "N*m" if name[0] == "m" else "N"
-        yield Output(f"row_{name}", unit, _load(place), along="row")
-    yield Output("row_loaded_balls", "1", _loaded_balls, along="row")
+        yield Output(f"row_{name}", unit, _load_name(name), _load(place), along="row")
+    yield Output(
+        "row_loaded_balls",
+        "1",
+        lambda: said("number of loaded balls (inner race), per row"),
+        _loaded_balls,
+        along="row",
+    )
+
+
+def _load_name(load: str) -> Callable[[], str]:
+    return lambda: said("{quantity}, per row", quantity=Case.fields()[f"duty.load.{load}"].label)
 
 
 def _load(place: int) -> Callable[[Evaluation], Floats]:
@@ -43,14 +56,35 @@ def _loaded_balls(given: Evaluation) -> Floats:
 
 
 def _of_preload() -> Iterator[Output]:
-    for name, running in (("preload_at_rest", False), ("preload_at_speed", True)):
-        yield Output(name, "N", _preload(running=running), needs=_PRELOAD)
-    for law, factor, row in (
-        (_first_lift_off, "lift_factor", "lift_row"),
-        (_preload_loss, "loss_factor", "lost_row"),
+    for name, unit, called, compute in (
+        ("preload_at_rest", "N", marked("axial preload at rest"), _preload(running=False)),
+        ("preload_at_speed", "N", marked("axial preload at speed"), _preload(running=True)),
+        (
+            "lift_factor",
+            "1",
+            marked("load factor at which the first ball loses contact"),
+            _factor(_first_lift_off),
+        ),
+        (
+            "lift_row",
+            "1",
+            marked("row whose ball first loses contact, counted from 0"),
+            _row(_first_lift_off),
+        ),
+        (
+            "loss_factor",
+            "1",
+            marked("load factor at which a row loses contact"),
+            _factor(_preload_loss),
+        ),
+        (
+            "lost_row",
+            "1",
+            marked("row that first loses contact, counted from 0"),
+            _row(_preload_loss),
+        ),
     ):
-        yield Output(factor, "1", _factor(law), needs=_PRELOAD)
-        yield Output(row, "1", _row(law), needs=_PRELOAD)
+        yield Output(name, unit, partial(said, called), compute, needs=_PRELOAD)
 
 
 def _first_lift_off(solved: Solved) -> Lost:

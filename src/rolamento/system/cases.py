@@ -5,25 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from importlib import import_module
-from typing import Any, Final, TypeVar
+from pkgutil import resolve_name
+from typing import Final, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case import Case
-from rolamento.case.bearing import (
-    RowPlace,
-)
 from rolamento.case.duty import AXES, LOADS
-from rolamento.case.parameters import Parameters, parameters_of
+from rolamento.case.parameters import parameters_of
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.row import Driven, Guided, Row, Running, Traction, WholeBearing
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
@@ -188,9 +185,10 @@ def spread(
     kind, amount = _preload(case.bearing, arrays, cases)
     # what the rows have in common has to be sound by itself, as the case has it
     common = parameters_of(case.bearing, case.bearing, frozenset(), arrays)
-    _check_own_fields(case.bearing, arrays)
+    _check_own_fields(case, arrays)
     valid &= common.consistent
-    valid &= _within_reason(displacement, common)
+    limit = np.broadcast_to(common.element_diameter, cases)
+    valid &= (np.abs(displacement[:, :3]) <= limit[:, np.newaxis]).all(axis=1)  # as `Case` has it
     first = arrays.get("duty.first_ball_azimuth", np.asarray(case.duty.first_ball_azimuth))
     placed = []
     for index, place in enumerate(case.bearing.element_rows):
@@ -216,15 +214,25 @@ def spread(
             threads=threads,
             fast=fast,
         )
-        row: Row = _maker(of_row.row)(bearing, running)
-        position = _position(case.bearing, place, arrays, cases)
+        row: Row = resolve_name(of_row.row)(bearing, running)  # imported now
+        position, press = np.full(cases, place.position), None
+        if case.bearing.spacing is not None and "bearing.spacing" in arrays:
+            apart = arrays["bearing.spacing"]
+            position = place.position / case.bearing.spacing * apart + 0.0 * position
         if row.aside is not None:
             position = place.sign * row.aside
-        press = _own_press(case, place, row, cases) if states is None else states[index].press
+        if states is not None:
+            press = states[index].press
+        elif place.offset is not None:  # the clamping presses it in by an offset of its own
+            touching = 0.0 if case.bearing.preload is None else row.first_contact()
+            press = place.offset + np.zeros(cases) + touching
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
         part.row.invalidate(~valid)
-    friction, drag = _friction(case, arrays)
+    oil = case.lubricant
+    coefficient = 0.0 if oil is None else oil.friction_coefficient or 0.0
+    friction = arrays.get("lubricant.friction_coefficient", coefficient)
+    drag = arrays.get("model.cage_drag", case.model.cage_drag)
     found = Cases(
         case=case,
         varied={name: np.broadcast_to(array, (cases,)) for name, array in given.items()},
@@ -259,20 +267,6 @@ def _unconstrained(
     return np.asarray(free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts)))
 
 
-def _maker(of_kind: tuple[str, str]) -> Any:
-    """How a row is made, imported now."""
-    module, name = of_kind
-    return getattr(import_module(module), name)
-
-
-def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:
-    """How far the clamping presses in a row that has an offset of its own."""
-    if place.offset is None:
-        return None
-    from_touch = case.bearing.preload is not None
-    return place.offset + (row.first_contact() if from_touch else np.zeros(cases))
-
-
 def _duty(
     case: Case, arrays: Mapping[str, FloatArray], cases: int
 ) -> tuple[BoolArray, FloatArray, FloatArray]:
@@ -290,20 +284,6 @@ def _duty(
         if (given := arrays.get(f"duty.displacement.{axis}")) is not None:
             free[:, i], load[:, i], displacement[:, i] = False, 0.0, given
     return free, load, displacement
-
-
-def _friction(case: Case, arrays: Mapping[str, FloatArray]) -> tuple[FloatArray, FloatArray]:
-    """Coefficient of friction and drag of the cage; 0 where none is given."""
-    name = "lubricant.friction_coefficient"
-    if name in arrays and case.lubricant is None:
-        raise InputError(
-            said("is a property of a lubricant, and this case has none"),
-            field=name,
-            example='lubricant = "ISO VG 68"',
-        )
-    own = 0.0 if case.lubricant is None else case.lubricant.friction_coefficient or 0.0
-    drag = arrays.get("model.cage_drag", np.asarray(case.model.cage_drag))
-    return arrays.get(name, np.asarray(own)), drag
 
 
 def _preload(
@@ -331,30 +311,15 @@ def _preload(
     return kind, np.full(cases, getattr(bearing.preload, kind))
 
 
-def _position(
-    bearing: RollingBearing, place: RowPlace, arrays: Mapping[str, FloatArray], cases: int
-) -> FloatArray:
-    """Where a row is along x; (cases,), m."""
-    position = np.full(cases, place.position)
-    if "bearing.spacing" not in arrays:
-        return position
-    if bearing.spacing is None:
-        raise InputError(
-            said("applies to an arrangement, and this bearing has none"),
-            field="bearing.spacing",
-            example='arrangement = "DB"',
-        )
-    return place.position / bearing.spacing * arrays["bearing.spacing"] + 0.0 * position
-
-
-def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray]) -> None:
-    """Refuse to vary what the kind of bearing does not have.
+def _check_own_fields(case: Case, arrays: Mapping[str, FloatArray]) -> None:
+    """Refuse to vary what the case, or a bearing of its kind, does not have.
 
     Raises
     ------
     InputError
         Naming the field.
     """
+    bearing = case.bearing
     known = type(bearing).model_fields
     for name in arrays:
         table, _, leaf = name.partition(".")
@@ -368,41 +333,52 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
             raise InputError(
                 said("has no effect: every row has its own"), field=name, example="duty.load.fz"
             )
-    foreign: tuple[str, ...] = ()
-    if bearing.bearing_type.has_rollers:
-        conical = bearing.bearing_type.conical
-        foreign = ("diametral_clearance",) if conical else ("roller_half_angle",)
-        if not conical and not bearing.bearing_type.inclined:
-            foreign = ("contact_angle", *foreign)
-    for leaf in foreign:
-        if f"bearing.{leaf}" in arrays:
-            raise InputError(
-                said("is no quantity of such a bearing: {element}", element=bearing.element),
-                field=f"bearing.{leaf}",
-                example="bearing.pitch_diameter",
-            )
-    if "bearing.shim_angle" in arrays and not bearing.bearing_type.has_arches:
-        raise InputError(
-            said("is of four-point bearings only"),
-            field="bearing.shim_angle",
-            example='kind = "four_point"',
-        )
-    if "bearing.diametral_clearance" in arrays and bearing.bearing_type.washers:
-        raise InputError(
-            said("is not a quantity of a thrust bearing"),
-            field="bearing.diametral_clearance",
-            example="bearing.contact_angle",
-        )
-    if "bearing.outer_conformity" in arrays and bearing.bearing_type.aligns:
-        raise InputError(
-            said("is not given of a self-aligning bearing: its outer race is a sphere"),
-            field="bearing.outer_conformity",
-            example="bearing.inner_conformity",
-        )
-
-
-def _within_reason(displacement: FloatArray, bearing: Parameters) -> BoolArray:
-    """A ring does not move by a rolling element, as `Case` has it; (cases,)."""
-    limit = bearing.element_diameter
-    x, y, z = displacement.T[:3]
-    return np.asarray((np.abs(x) <= limit) & (np.abs(y) <= limit) & (np.abs(z) <= limit))
+    of = bearing.bearing_type
+    none_such = marked("is no quantity of such a bearing: {element}")
+    for name, refused, rule, example in (
+        (
+            "bearing.contact_angle",
+            of.has_rollers and not (of.conical or of.inclined),
+            none_such,
+            "bearing.pitch_diameter",
+        ),
+        (
+            "bearing.roller_half_angle",
+            of.has_rollers and not of.conical,
+            none_such,
+            "bearing.pitch_diameter",
+        ),
+        ("bearing.diametral_clearance", of.conical, none_such, "bearing.pitch_diameter"),
+        (
+            "bearing.diametral_clearance",
+            of.washers,
+            marked("is not a quantity of a thrust bearing"),
+            "bearing.contact_angle",
+        ),
+        (
+            "bearing.shim_angle",
+            not of.has_arches,
+            marked("is of four-point bearings only"),
+            'kind = "four_point"',
+        ),
+        (
+            "bearing.outer_conformity",
+            of.aligns,
+            marked("is not given of a self-aligning bearing: its outer race is a sphere"),
+            "bearing.inner_conformity",
+        ),
+        (
+            "bearing.spacing",
+            bearing.spacing is None,
+            marked("applies to an arrangement, and this bearing has none"),
+            'arrangement = "DB"',
+        ),
+        (
+            "lubricant.friction_coefficient",
+            case.lubricant is None,
+            marked("is a property of a lubricant, and this case has none"),
+            'lubricant = "ISO VG 68"',
+        ),
+    ):
+        if refused and name in arrays:
+            raise InputError(said(rule, element=bearing.element), field=name, example=example)

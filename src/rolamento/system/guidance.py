@@ -54,11 +54,13 @@ class System(Protocol[S]):
         """The same cases under another control: +1 or -1, (cases or 1, balls)."""
         ...
 
-    def solve(self, which: NDArray[np.intp] | None = None) -> S:
+    def solve(self, which: slice | NDArray[np.intp] = slice(None)) -> S:
         """Solve all cases, or some."""
         ...
 
-    def verdict(self, solution: S, which: NDArray[np.intp] | None = None) -> NDArray[np.int64]:
+    def verdict(
+        self, solution: S, which: slice | NDArray[np.intp] = slice(None)
+    ) -> NDArray[np.int64]:
         """Jones's criterion for every ball of all cases, or some; (cases, balls).
 
         solution: of those cases.

@@ -15,6 +15,7 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.row import Guided, Indices, IntArray, Joint, OnRing, SelfBalancing
+from rolamento.solved import Index
 from rolamento.status import INVALID_INPUT, NO_EQUILIBRIUM, NOT_CONVERGED
 from rolamento.system.cases import Cases
 from rolamento.system.network import (
@@ -73,9 +74,9 @@ class RowsOnRing:
             for placed, press in zip(self.cases.rows, self.press, strict=True)
         ]
 
-    def solve(self, which: Indices | None = None) -> Rest:
+    def solve(self, which: Index = slice(None)) -> Rest:
         """Solve all cases, or some."""
-        chosen = np.arange(len(self.cases)) if which is None else which
+        chosen = np.arange(len(self.cases))[which]
         hopeless = self.cases.unconstrained[chosen] & self._sound(chosen)
         rest = self._solve(chosen)
         rest.number[hopeless], rest.unsupported[hopeless] = NO_EQUILIBRIUM, 0
@@ -98,12 +99,12 @@ class RowsOnRing:
             rest.put(np.flatnonzero(left), self._by_network(again))
         return rest
 
-    def verdict(self, rest: Rest, which: Indices | None = None) -> IntArray:
+    def verdict(self, rest: Rest, which: Index = slice(None)) -> IntArray:
         """What guides every element of all cases, or some, by its row's own criterion.
 
         (cases, elements); of a row without one, what it is guided by.
         """
-        chosen = np.arange(len(self.cases)) if which is None else which
+        chosen = np.arange(len(self.cases))[which]
         parts = []
         for placed, held in zip(self.cases.rows, rest.rows, strict=True):
             row = placed.row

@@ -20,6 +20,7 @@ from rolamento.case.machine import Machine, MachineBearing, Shaft, Spring, Step
 from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.records import frozen
 from rolamento.rows.row import Guided, Indices, Response
+from rolamento.solved import Index
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED
 from rolamento.system.beam import Chain, Elements
 from rolamento.system.cases import Cases
@@ -261,9 +262,9 @@ class Structure:
         ends = np.cumsum([seat.element_count for seat in self.seats])[:-1]
         return list(np.split(control, ends, axis=1))
 
-    def verdict(self, rest: MachineRest, which: Indices | None = None) -> IntArray:
+    def verdict(self, rest: MachineRest, which: Index = slice(None)) -> IntArray:
         """What guides every element of all cases, or some; (cases, elements)."""
-        chosen = np.arange(len(self)) if which is None else which
+        chosen = np.arange(len(self))[which]
         parts = []
         for seat, rows in self.held_rows(rest):
             mode = seat.cases.case.model.raceway_control
@@ -278,9 +279,9 @@ class Structure:
 
     # --- solving --------------------------------------------------------------------------------
 
-    def solve(self, which: Indices | None = None) -> MachineRest:
+    def solve(self, which: Index = slice(None)) -> MachineRest:
         """Find where all nodes come to rest in all cases, or some."""
-        chosen = np.arange(len(self)) if which is None else which
+        chosen = np.arange(len(self))[which]
         if (loose := self.loose_shaft()) is not None:
             return self._running_off(loose, len(chosen))
         condensed = self._condensed

@@ -12,13 +12,9 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.row import (
-    Alone,
     Film,
-    Indices,
     IntArray,
     Response,
-    RowGeometry,
-    WholeBearing,
 )
 from rolamento.solved import (
     Answer,
@@ -74,8 +70,7 @@ def balance(cases: Cases, film: Film | None = None) -> Balanced:
     row = cases.alone
     if row is None:
         return _on_ring(cases)
-    system = _Alone(row)
-    held, control, shown = _guided(system, cases.case.model.raceway_control)
+    held, control, shown = _guided(row, cases.case.model.raceway_control)
     if cases.case.model.raceway_control == "friction":
         held = row.rolled(held, replace(cases.traction, film=film))
     status = Status(held.number, held.residual, held.iterations, held.safe_path, held.unsupported)
@@ -92,30 +87,6 @@ def _on_ring(cases: Cases) -> Balanced:
     stiffness = condensed(solution.stiffness)
     place, force = solution.place[:, :5], solution.force[:, :5]
     return Balanced(status, place, force, stiffness, tuple(solution.rows), control, shown)
-
-
-@frozen
-class _Alone:
-    """Cases of a bearing that is one row of balls, as `guidance` asks for a system."""
-
-    row: WholeBearing
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Cases and balls."""
-        return self.row.cases, self.row.element_count
-
-    def guided(self, control: FloatArray) -> _Alone:
-        """The same bearing, its balls guided so."""
-        return _Alone(self.row.guided(control))
-
-    def solve(self, which: Indices | None = None) -> Alone:
-        """Solve all cases, or some."""
-        return self.row.alone(which)
-
-    def verdict(self, solution: Alone, which: Indices | None = None) -> IntArray:
-        """Jones's criterion for every ball of all cases, or some; (cases, balls)."""
-        return self.row.verdict(solution, slice(None) if which is None else which)
 
 
 def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
@@ -155,10 +126,9 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
             position=_side_by_side([placed.position for placed, _ in faces]),
             load=_forgotten(_carried(cases, balanced, load), lost),
             element=tuple(place.bearing.element for place in cases.case.bearing.places),
-            effective_length=_side_by_side([_length_of_line(own) for own in geometry]),
             **{
                 name: _side_by_side([getattr(own, name) for own in geometry])
-                for name in GEOMETRY_COLUMNS
+                for name in (*GEOMETRY_COLUMNS, "effective_length")
             },
         ),
         answer=answers[0] if len(answers) == 1 else RowAnswers(answers),
@@ -168,12 +138,6 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
 def _side_by_side(rows: Sequence[FloatArray]) -> FloatArray:
     """Numbers of the rows, (cases,) each, as (cases, rows); of a single row not a copy."""
     return rows[0][:, np.newaxis] if len(rows) == 1 else np.stack(rows, axis=1)
-
-
-def _length_of_line(row: RowGeometry) -> FloatArray:
-    """Effective length of rollers; NaN of balls, (cases,), m."""
-    length = row.effective_length
-    return np.broadcast_to(np.nan, row.ball_diameter.shape) if length is None else length
 
 
 def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:

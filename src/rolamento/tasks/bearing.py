@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from math import pi
 from typing import TYPE_CHECKING
 
@@ -16,9 +15,6 @@ from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import AngleChoice
-
-BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
-"""A designation, a case file (``"-"``: on standard input), a bearing or a case."""
 
 
 def designated(designation: str, parameter: str = "bearing") -> Case:
@@ -35,11 +31,6 @@ def designated(designation: str, parameter: str = "bearing") -> Case:
         example = arguments(**{parameter: "6205"})
         raise error.with_details(field=parameter, value=designation, example=example) from None
     return case if case.title else case.replace(title=designation)
-
-
-def name_of(bearing: BearingLike, case: Case) -> str:
-    """Return what to call a bearing: by the title of its case, or as it was given."""
-    return case.title or (os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else "")
 
 
 def at_speeds(case: Case, inner_speed: float | None, outer_speed: float | None) -> Case:

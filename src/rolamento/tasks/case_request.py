@@ -1,7 +1,5 @@
 """Use cases of a case: where it comes from, what goes over it, and what is found of it."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
@@ -68,12 +66,12 @@ class Finding:
     """
 
     found: Any
-    page: Callable[[], Document] | None = None
+    page: "Callable[[], Document] | None" = None
     to_json: Callable[[], str] = str
     picture: Callable[[], Any] | None = None
     complaint: str = ""
     is_result: bool = True
-    report: Callable[[], Document] | None = None
+    report: "Callable[[], Document] | None" = None
     text: str = ""
 
 
@@ -91,7 +89,7 @@ class FindingRequest(Request):
         """Return all that is found as JSON."""
         return str(found.to_json())
 
-    def report(self, found: Any) -> Callable[[], Document] | None:
+    def report(self, found: Any) -> "Callable[[], Document] | None":
         """Return what makes the page of a report, where that is more than the page."""
         return found.report  # type: ignore[no-any-return]
 
@@ -197,7 +195,7 @@ class RangeRequest(CaseRequest):
     points: Annotated[int, Input("", "count", default="40")] = 40
     log: Annotated[bool, Input("", "switch")] = False
 
-    def range(self) -> Range:
+    def range(self) -> "Range":
         """Return the field and its values.
 
         Raises
@@ -257,7 +255,7 @@ def needs_over(asked: RangeRequest, field: str, value: object = ABSENT) -> None:
 
 def over_a_field(
     curves: Sequence[Any],
-    page: Callable[[Sequence[Any]], Document],
+    page: "Callable[[Sequence[Any]], Document]",
     json: Callable[[Sequence[Any]], str],
     figure: Callable[[Sequence[Any]], Any],
 ) -> Finding:

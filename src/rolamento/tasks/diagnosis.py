@@ -15,13 +15,14 @@ import numpy as np
 
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
+from rolamento.case.case import BearingLike, name_of
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError, arguments
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, has_load, name_of
+from rolamento.tasks.bearing import angle_of, at_speeds, has_load
 from rolamento.tasks.parameters import Progress, quietly, speed_of
 from rolamento.tasks.shaft_speed import KnownSpeed, ShaftSpeed, SpeedInputs, known_speed
 from rolamento.tasks.signals import Reading, part_of, streamed

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
 from rolamento.records import frozen
+from rolamento.validate import one_of
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -115,10 +116,8 @@ def draw(
     """
     from rolamento.charts.frame import add_title, figure_of
 
-    if kind is not None and kind not in list(Kind):
-        raise InputError(
-            said("must be one of {known}", known=", ".join(Kind)), field="kind", value=kind
-        )
+    if kind is not None:
+        one_of(kind, "kind", Kind)
     one = isinstance(result, str | os.PathLike)
     paths = [os.fspath(result)] if one else [os.fspath(path) for path in result]  # type: ignore[arg-type,union-attr]
     wanted = None if kind is None else Kind(kind)

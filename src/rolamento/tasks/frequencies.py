@@ -8,17 +8,12 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.case import Case, case_of, is_designation
 from rolamento.case.bearing import Bearing
+from rolamento.case.case import BearingLike, name_of
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.records import frozen
-from rolamento.tasks.bearing import (
-    BearingLike,
-    angle_of,
-    at_speeds,
-    has_load,
-    name_of,
-)
+from rolamento.tasks.bearing import angle_of, at_speeds, has_load
 from rolamento.tasks.parameters import speed_of
 from rolamento.vibration.frequencies import (
     ABBREVIATIONS,

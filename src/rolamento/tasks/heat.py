@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from rolamento.analysis.speed_limits import speed_limits
 from rolamento.case import Case, case_of
 from rolamento.case.heat import HeatStep
 from rolamento.errors import InputError
@@ -24,7 +25,6 @@ from rolamento.heat.balance import CaseLike
 from rolamento.heat.transient import until_steady
 from rolamento.io.json import dumps, plain
 from rolamento.records import frozen
-from rolamento.tasks.speed import speed_limits
 from rolamento.units import readable, to_si
 from rolamento.words import said
 

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
+from rolamento.case.case import BearingLike
 from rolamento.errors import InputError, arguments
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.tasks.bearing import BearingLike
 from rolamento.tasks.diagnosis import (
     SCHEMA,
     Conclusion,

@@ -1,7 +1,5 @@
 """What goes on inside a bearing: use cases of one case, each a request."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self
 
@@ -78,7 +76,7 @@ class SolveRequest(CaseRequest):
         page, why = partial(state_page, found.solved, found), why_not(found.solved, advised=True)
         return Finding(found, page, found.to_json, None, why, not why)
 
-    def _compared(self, case: Case, progress: Progress) -> Finding:
+    def _compared(self, case: "Case", progress: Progress) -> Finding:
         from rolamento.case.variant import read_variants
         from rolamento.pages.report import comparison_page
         from rolamento.tasks.report import compare_variants
@@ -168,7 +166,7 @@ class FrictionRequest(OverRequest):
                 raise InputError(said("must be from 0 to 1"), field=name, value=value)
         return self
 
-    def loaded(self, source: Any = None, **more: Any) -> Case:
+    def loaded(self, source: Any = None, **more: Any) -> "Case":
         """Return the case; one without a lubricant is dry if the coefficient is given."""
         dry = ("lubricant.kind=dry", "lubricant.name=dry")
         return super().loaded(source, otherwise=() if self.coefficient is None else dry, **more)
@@ -271,7 +269,7 @@ class HeatRequest(RangeRequest):
             return self._compared(case)
         return _balanced(case) if self.over is None else self._over(case)
 
-    def _planned(self, case: Case) -> Finding:
+    def _planned(self, case: "Case") -> Finding:
         from rolamento.pages.heat_time import warm_up_figure, warm_up_page
         from rolamento.tasks.heat import limit_of_text, warm_up
 
@@ -286,7 +284,7 @@ class HeatRequest(RangeRequest):
             partial(warm_up_figure, found), "", found.transient is not None,
         )  # fmt: skip
 
-    def _compared(self, case: Case) -> Finding:
+    def _compared(self, case: "Case") -> Finding:
         from rolamento.pages.heat_answers import heat_answers_page
         from rolamento.plots.heat import heat_variants_figure
         from rolamento.tasks.heat import heat_answers
@@ -299,7 +297,7 @@ class HeatRequest(RangeRequest):
             _said(found.balance.status), found.balance.converged,
         )  # fmt: skip
 
-    def _over(self, case: Case) -> Finding:
+    def _over(self, case: "Case") -> Finding:
         from rolamento.pages.heat import heat_over_page
         from rolamento.plots.heat import heat_over_figure
         from rolamento.studies.heat_curves import heat_over
@@ -312,7 +310,7 @@ class HeatRequest(RangeRequest):
         )
 
 
-def _balanced(case: Case) -> Finding:
+def _balanced(case: "Case") -> Finding:
     from rolamento.heat import heat_balance
     from rolamento.pages.heat import heat_page
     from rolamento.plots.heat import heat_figure
@@ -324,7 +322,7 @@ def _balanced(case: Case) -> Finding:
     )  # fmt: skip
 
 
-def _in_time(case: Case, time: str | float) -> Finding:
+def _in_time(case: "Case", time: str | float) -> Finding:
     from rolamento.heat import heat_transient
     from rolamento.pages.heat_time import heat_time_page
     from rolamento.plots.heat import heat_time_figure

@@ -8,12 +8,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.case import case_of
+from rolamento.case.case import BearingLike
 from rolamento.case.machine import Machine as ShaftsMachine
 from rolamento.case.machine import parse_machine
 from rolamento.errors import InputError, arguments, nearest
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.records import frozen
-from rolamento.tasks.bearing import BearingLike
 from rolamento.tasks.diagnosis import (
     SCHEMA,
     Conclusion,

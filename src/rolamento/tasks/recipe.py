@@ -282,7 +282,7 @@ class SynthesisRequest(CaseRequest):
             )
             option = arguments(noise=...)
             raise InputError(
-                phrase(rule, option=option), field="snr", example=self._example("noise")
+                phrase(rule, option=option), source="snr", example=self._example("noise")
             )
         return Noise(**fields)
 

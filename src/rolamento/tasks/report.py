@@ -17,6 +17,7 @@ import numpy as np
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, case_of, is_designation, parse_case
+from rolamento.case.case import BearingLike
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Changes, Field, of_elements
 from rolamento.case.film_model import FilmModel
@@ -40,15 +41,14 @@ from rolamento.solved.notes import (
     usual_misalignments,
 )
 from rolamento.studies.names import setting_name
-from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension
 from rolamento.words import said
 
 if TYPE_CHECKING:
+    from rolamento.analysis.speed_limits import LimitName, SpeedLimit
     from rolamento.electrical import BearingElectrics
     from rolamento.heat import HeatBalance
     from rolamento.safety import StaticSafety
-    from rolamento.tasks.speed import LimitName, SpeedLimit
 
 __all__ = [
     "MOST_CASES",
@@ -233,7 +233,7 @@ class CaseReport:
 
         None at rest, and where none is known.
         """
-        from rolamento.tasks.speed import speed_limits
+        from rolamento.analysis.speed_limits import speed_limits
 
         try:
             limits = {one.name: one for one in speed_limits(self.case).limits}

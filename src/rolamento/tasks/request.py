@@ -6,8 +6,6 @@ form, the HTTP API the parameters of an address; `read` takes what was typed in 
 error names the field; each face writes that in its own spelling.
 """
 
-from __future__ import annotations
-
 import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -21,14 +19,12 @@ from pydantic_core import CoreSchema, core_schema
 
 from rolamento.case.record import Record, meanings
 from rolamento.errors import InputError, Phrase, arguments
-from rolamento.io.columns import folded_name
 from rolamento.io.json import dumps
-from rolamento.io.numerals import Numerals
 from rolamento.io.writing import write_bytes, write_text
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
 from rolamento.tasks.parameters import quietly
-from rolamento.units import Dimension, refuse_thousands, to_si
+from rolamento.units import Dimension, readable, refuse_thousands, to_si
 from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
@@ -173,7 +169,7 @@ class Input:
         """Return the long name of its option, the first of a switch; name: of its field."""
         return self.option.partition("/")[0] or f"--{name.replace('_', '-')}"
 
-    def below(self, group: str) -> Input:
+    def below(self, group: str) -> "Input":
         """Return it below another heading."""
         return replace(self, group=group)
 
@@ -228,8 +224,12 @@ class Input:
     def _bounded(self, number: Any) -> Any:
         """Return a number, if it lies within the bounds."""
         if self.between is not None and not self.between[0] <= number <= self.between[1]:
+            low, high = (
+                end if self.dimension is None else readable(end, self.dimension)
+                for end in self.between
+            )
             rule = said("must be at least {at_least} and at most {at_most}",
-                        at_least=self.between[0], at_most=self.between[1])  # fmt: skip
+                        at_least=low, at_most=high)  # fmt: skip
             raise InputError(rule, value=number)
         return number
 
@@ -322,6 +322,8 @@ class Input:
         return text
 
     def _chosen(self, text: str) -> str:
+        from rolamento.io.columns import folded_name
+
         known = {} if self.choices is None else self.choices()
         text = (self.aliases or {}).get(folded_name(text), text)
         if text not in known:
@@ -541,7 +543,7 @@ class Request(Record):
         else:
             write_text(content, path, new=is_new)
 
-    def page(self, found: Any) -> Document:
+    def page(self, found: Any) -> "Document":
         """Return what people read of a result."""
         return found.page()  # type: ignore[no-any-return]
 
@@ -553,7 +555,7 @@ class Request(Record):
         """Return what they read behind the page, or in its place, as it is."""
         return ""
 
-    def report(self, found: Any) -> Callable[[], Document] | None:
+    def report(self, found: Any) -> "Callable[[], Document] | None":
         """Return what makes the page of a report, where that is more than `page`."""
         return None
 
@@ -610,6 +612,8 @@ def cost_of(text: str) -> float:
     InputError
         If it is no number, or may be two.
     """
+    from rolamento.io.numerals import Numerals
+
     refuse_thousands(text, units=("",))
     comma = "," in text and manner().mark == ","
     cost = Numerals(True, "comma" if comma else "point").number(text.strip())

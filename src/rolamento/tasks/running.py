@@ -95,8 +95,8 @@ class SpeedRequest(CaseRequest):
 
     def run(self, progress: Progress = quietly) -> Finding:
         """Find it, `SpeedLimits`."""
+        from rolamento.analysis.speed_limits import speed_limits
         from rolamento.pages.speed import speed_page
-        from rolamento.tasks.speed import speed_limits
 
         own = {name: getattr(self, name) for name in ("series", "width", "minimum_load_factor")}
         found = speed_limits(self.loaded(needs_load=False), **own)

@@ -14,13 +14,14 @@ import numpy as np
 
 from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
+from rolamento.case.case import BearingLike, name_of
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError, arguments
 from rolamento.io.json import dumps
 from rolamento.io.writing import write_text
 from rolamento.records import frozen
-from rolamento.tasks.bearing import BearingLike, at_speeds, has_load, name_of
+from rolamento.tasks.bearing import at_speeds, has_load
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies

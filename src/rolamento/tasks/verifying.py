@@ -41,6 +41,7 @@ class VerificationRequest(FindingRequest):
     counts: ClassVar = True
     waiting: ClassVar = marked("Verifying …")
     json_meaning: ClassVar = "Write all numbers as JSON"
+    examples: ClassVar = "Example: verify --source radaelli_2013."
     products: ClassVar = {
         "markdown": Product(
             marked("Write a page in Markdown; - for standard output."), _in_markdown, False

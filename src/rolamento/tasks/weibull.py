@@ -18,6 +18,7 @@ from rolamento.records import frozen
 from rolamento.tasks.life_tables import DATA, DATE_ORDER, SHIPPED, LifeTable
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.tasks.request import DECIMAL_MARK, PICTURE, Input, Product, Request
+from rolamento.validate import one_of
 from rolamento.vibration.reading.units import spelled
 from rolamento.weibull import (
     METHODS,
@@ -250,9 +251,7 @@ def fits_named(names: Sequence[str], *, three_parameter: bool = False) -> tuple[
         If there is no such method.
     """
     for name in names:
-        if name not in FITS:
-            rule = said("must be one of {known}", known=", ".join(FITS))
-            raise InputError(rule, field="method", value=name, example="ml")
+        one_of(name, "method", FITS, "ml")
     chosen = [*(names or ("ml", "unbiased", "rrx", "rry"))]
     chosen += ["three-parameter"] if three_parameter else []
     return tuple(dict.fromkeys(FITS[name] for name in chosen))
@@ -272,9 +271,7 @@ def bounds_named(name: str) -> Method:
         If there is no such method.
     """
     known, word = bounds_known(), name.replace("_", "-")
-    if word not in known:
-        rule = said("must be one of {known}", known=", ".join(known))
-        raise InputError(rule, field="bounds", value=name, example=known[0])
+    one_of(word, "bounds", known)
     return cast("Method", word.replace("-", "_"))
 
 

@@ -111,7 +111,7 @@ class BearingType:
     rolling: str = marked("ball")
     grooves: str | None = None
     adjective: str = ""
-    row: tuple[str, str] = ("rolamento.rows.ball.row", "ball_row")
+    row: str = "rolamento.rows.ball.row:ball_row"
     rated: RatedType | RollerRated = "radial"
     in_pairs: bool = False
     rows: int = 1

@@ -19,7 +19,7 @@ TYPE: Final = BearingType(
         "{count} barrel-shaped rollers of {diameter}, effective length {length}, pitch diameter"
         " {pitch}"
     ),
-    row=("rolamento.rows.barrel", "barrel_row"),
+    row="rolamento.rows.barrel:barrel_row",
     rated="roller",
     aligns=True,
     inclined=True,

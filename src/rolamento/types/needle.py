@@ -19,7 +19,7 @@ TYPE: Final = BearingType(
     described=marked(
         "{count} needle rollers of {diameter}, effective length {length}, pitch diameter {pitch}"
     ),
-    row=("rolamento.rows.roller.row", "roller_row"),
+    row="rolamento.rows.roller.row:roller_row",
     rated="roller",
     floats=True,
     clearance_table="cylindrical",

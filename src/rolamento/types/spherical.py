@@ -23,7 +23,7 @@ TYPE: Final = BearingType(
         "two rows of {count} barrel-shaped rollers of {diameter}, effective length {length}, pitch"
         " diameter {pitch}"
     ),
-    row=("rolamento.rows.barrel", "barrel_row"),
+    row="rolamento.rows.barrel:barrel_row",
     rated="roller",
     rows=2,
     rated_together=True,

@@ -21,7 +21,7 @@ TYPE: Final = BearingType(
         "{count} tapered rollers of {diameter} mean diameter, effective length {length}, pitch"
         " diameter {pitch}"
     ),
-    row=("rolamento.rows.roller.row", "roller_row"),
+    row="rolamento.rows.roller.row:roller_row",
     rated="roller",
     conical=True,
     axial_limit_of_maker=True,

@@ -19,7 +19,7 @@ TYPE: Final = BearingType(
         "{count} cylindrical rollers of {diameter} between flat washers, effective length {length},"
         " pitch diameter {pitch}"
     ),
-    row=("rolamento.rows.roller.row", "roller_row"),
+    row="rolamento.rows.roller.row:roller_row",
     rated="roller_thrust",
     rated_together=True,
     washers=True,

@@ -20,7 +20,7 @@ TYPE: Final = BearingType(
         "{count} tapered rollers of {diameter} mean diameter between conical washers, effective"
         " length {length}, pitch diameter {pitch}"
     ),
-    row=("rolamento.rows.roller.row", "roller_row"),
+    row="rolamento.rows.roller.row:roller_row",
     rated="roller_thrust",
     rated_together=True,
     conical=True,

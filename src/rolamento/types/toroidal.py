@@ -19,7 +19,7 @@ TYPE: Final = BearingType(
     described=marked(
         "{count} toroidal rollers of {diameter}, effective length {length}, pitch diameter {pitch}"
     ),
-    row=("rolamento.rows.barrel", "barrel_row"),
+    row="rolamento.rows.barrel:barrel_row",
     rated="roller",
     rated_together=True,
     floats=True,

@@ -195,13 +195,8 @@ def classes_of(
         raise InputError(
             said("must be 1 or 2"), field="group", value=group, example=arguments(group=2)
         )
-    if support is not None and support not in get_args(Support):
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(Support))),
-            field="support",
-            value=support,
-            example=arguments(support="rigid"),
-        )
+    if support is not None:
+        one_of(support, "support", get_args(Support), arguments(support="rigid"))
     if power is not None:
         number(power, "power", above=0.0, most=_MOST_POWER, example=arguments(power="45 kW"))
         by_power = _group_of(power)

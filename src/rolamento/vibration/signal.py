@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError, nearest, shown
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.validate import scalar
+from rolamento.validate import one_of, scalar
 from rolamento.words import marked, said
 
 Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
@@ -112,15 +112,8 @@ def unit_scale(quantity: Quantity, unit: str) -> float:
     InputError
         If there is no such quantity, or the unit is not one of its units.
     """
-    if quantity not in get_args(Quantity):
-        allowed = ", ".join(get_args(Quantity))
-        example = nearest(str(quantity), get_args(Quantity)) or "acceleration"
-        raise InputError(
-            said("must be one of {known}", known=allowed),
-            field="quantity",
-            value=quantity,
-            example=example,
-        )
+    near = nearest(str(quantity), get_args(Quantity)) or "acceleration"
+    one_of(quantity, "quantity", get_args(Quantity), near)
     _check_text(unit, "unit", "m/s^2")
     if quantity == "unknown":
         return 1.0

@@ -162,8 +162,11 @@ def _run(
 
     def run(asked: Any) -> str:
         given = {name: one for name in names if (one := getattr(asked, name)) is not None}
-        done = request(**asked.subject(needs_load=needs_load), **given)
-        return done.json_text(done.run())
+        try:
+            done = request(**asked.subject(needs_load=needs_load), **given)
+            return done.json_text(done.run())
+        except InputError as error:
+            raise error.spelled(getattr(of, "spelling", {})) from None
 
     return run, asking(request, *names, of=of)
 

@@ -12,6 +12,7 @@ from rolamento.charts.plotly import Picture, picture
 from rolamento.charts.texts import capitalised
 from rolamento.errors import InputError
 from rolamento.tasks.curve import Curve, Scale, curve_over, fields_over, outputs_over
+from rolamento.validate import one_of
 from rolamento.words import said
 
 __all__ = ["MOST_CASES", "curve", "picture_of"]
@@ -80,12 +81,7 @@ def _text(request: Mapping[str, Any], name: str) -> str:
 
 def _scale(request: Mapping[str, Any], name: str) -> Scale:
     given = request.get(name) or "linear"
-    if given not in get_args(Scale):
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(Scale))),
-            field=name,
-            value=str(given)[:100],
-        )
+    one_of(str(given)[:100], name, get_args(Scale))
     return "log" if given == "log" else "linear"
 
 

@@ -33,6 +33,7 @@ from rolamento.tasks.request import Request as UseCase
 from rolamento.tasks.severity import MACHINE, VibrationSeverity
 from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
 from rolamento.tasks.weibull import DemonstrationTest, LifeTestEvaluation
+from rolamento.validate import one_of
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
 from rolamento.web.limits import slow
@@ -278,9 +279,7 @@ def report_file(
     from rolamento.case import Case
     from rolamento.tasks import ReportRequest
 
-    if form not in REPORTS:
-        rule = said("must be one of {known}", known=", ".join(REPORTS))
-        raise InputError(rule, field="format", value=form, example="pdf")
+    one_of(form, "format", REPORTS, "pdf")
     asked = ReportRequest(case=[Case.from_mapping(one) for one in cases], **head, names=names)
     found = asked.run()
     return _answer((asked.page(found),), found.found.to_mapping(), "", form)
@@ -295,9 +294,7 @@ def example_file(kind: str, name: str) -> dict[str, Any]:
         If there is no such example.
     """
     known = _EXAMPLES[kind]
-    if name not in known:
-        rule = said("must be one of {known}", known=", ".join(known))
-        raise InputError(rule, field="name", value=name)
+    one_of(name, "name", known)
     file = known[name].file
     if kind == "weibull":
         from rolamento.weibull import published_text
@@ -548,9 +545,8 @@ def _typed(request: Request) -> tuple[dict[str, list[str]], str]:
         typed.setdefault(name, []).append(text)
     typed.pop("lang", None)
     form = typed.pop("format", [""])[-1]
-    if form and form not in _TYPES:
-        rule = said("must be one of {known}", known=", ".join(_TYPES))
-        raise InputError(rule, field="format", value=form, example="pdf")
+    if form:
+        one_of(form, "format", _TYPES, "pdf")
     return typed, form
 
 

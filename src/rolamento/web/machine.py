@@ -36,6 +36,7 @@ from rolamento.errors import InputError
 from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.machine import PICTURES, machine_page, machine_picture, machine_report
 from rolamento.tasks.examples import EXAMPLES, TITLES
+from rolamento.validate import one_of
 from rolamento.web.answers import answer, error_object, read_json
 from rolamento.web.drops import REPORTS, as_data, file_of, plain_name, response_of
 from rolamento.web.form import in_labels
@@ -202,10 +203,7 @@ def machine_saved(request: Mapping[str, Any]) -> dict[str, str]:
     """
     machine = machine_of_tables(_tables(request))
     wanted = request.get("format", "toml")
-    if wanted not in _FORMATS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(_FORMATS)), field="format", value=wanted
-        )
+    one_of(wanted, "format", _FORMATS)
     text = machine_to_json(machine) if wanted == "json" else machine_to_toml(machine)
     return {"text": text, "name": f"{plain_name(machine.title) or 'machine'}.{wanted}"}
 
@@ -225,9 +223,7 @@ def machine_file(tables: Mapping[str, Any], form: str) -> dict[str, Any]:
     InputError
         If it is no valid machine, or there is no such kind of file.
     """
-    if form not in REPORTS:
-        rule = said("must be one of {known}", known=", ".join(REPORTS))
-        raise InputError(rule, field="format", value=form, example="pdf")
+    one_of(form, "format", REPORTS, "pdf")
     found = _found(json.dumps(tables, sort_keys=True))
     return file_of(machine_report(found), found.to_mapping(), form)
 

@@ -22,6 +22,7 @@ from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
 from rolamento.tasks.examples import EXAMPLES, TITLES
 from rolamento.tasks.report import inputs_of, names_in
+from rolamento.validate import one_of
 from rolamento.web import drops
 from rolamento.web.answers import answer, read_json
 from rolamento.web.curves import curve
@@ -180,10 +181,7 @@ def saved(request: Mapping[str, Any]) -> dict[str, str]:
     if not isinstance(mapping, dict):
         raise InputError(said("must be a table"), field="case", example='{"bearing": {}}')
     wanted = request.get("format", "toml")
-    if wanted not in _FORMATS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(_FORMATS)), field="format", value=wanted
-        )
+    one_of(wanted, "format", _FORMATS)
     case = Case.from_mapping(mapping)
     text = case_to_json(case) if wanted == "json" else case_to_toml(case)
     called = case.title or str(case.bearing.designation or "")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, ClassVar, Final, Literal
 
 from pydantic import (
     AfterValidator,
@@ -364,12 +364,18 @@ class LifeTestRequest(Record):
     )
     prior: PriorShape | None = Field(None, examples=[{"low": 1.0, "high": 2.5}])
 
+    spelling: ClassVar = {"method": "methods", "reliability": "reliabilities"}
+    """Names here of what the use case calls otherwise."""
+
     def subject(self, *, needs_load: bool = True) -> dict[str, Any]:
         """Return what the use case is given, by the names of its fields."""
         return {
             "data": self.test.to_test(),
             "method": self.methods,
-            "calculated": [f"{name}={life}" for name, life in self.calculated.items()],
+            "calculated": [
+                f"{name}={life if isinstance(life, str) else f'{life!r} {self.test.unit}'}"
+                for name, life in self.calculated.items()
+            ],
             "prior": None if self.prior is None else self.prior.to_text(),
         }
 

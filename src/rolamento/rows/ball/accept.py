@@ -19,7 +19,7 @@ from rolamento.rows.ball.single import (
     add_force,
     add_to_cage,
     add_to_ring,
-    cage_residual,
+    cage_part,
     condense_cage,
     direction,
     empty_ring,
@@ -127,11 +127,19 @@ def weigh(
     """
     behind, left_out = 0.0, 0.0
     if moving:
-        behind = cage_residual(p, case, lag, ring.pull[0])
+        speeds = p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case]
+        behind = cage_part(lag, ring.pull[0], speeds[0], speeds[1])
         condense_cage(ring)
     else:
         left_out = inertia_of(p, case) / heaviest if heaviest > 0.0 else inertia_of(p, case)
-    residual = max_with_nan(_ring_residual(p, case, ring.now, heaviest), behind + left_out)
+    scale, error = heaviest, 0.0
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        if p[layout.FREE + i, case] > 0.0:
+            applied = p[layout.APPLIED + i, case]
+            scale = max(scale, abs(applied))
+            error = max_with_nan(error, abs(applied - ring.now[i]))
+    unbalanced = error / scale if scale > 0.0 else error
+    residual = max_with_nan(unbalanced, behind + left_out)
     return worst_ball(p, case, errors, heaviest, residual), left_out
 
 
@@ -153,18 +161,6 @@ def inertia_of(p: Array, case: int) -> float:
     speed = 0.5 * (abs(p[layout.INNER_SPEED, case]) + abs(p[layout.OUTER_SPEED, case]))
     force = max(p[layout.CENTRIFUGAL, case], 5.0 * p[layout.GYROSCOPIC, case])
     return float(2.0 * force * speed * speed)
-
-
-@filling
-def _ring_residual(p: Array, case: int, reaction: Array, heaviest: float) -> float:
-    """The ring's greatest unbalanced load over the greatest load on it or in it."""
-    scale, error = heaviest, 0.0
-    for i in range(layout.DEGREES_OF_FREEDOM):
-        if p[layout.FREE + i, case] > 0.0:
-            applied = p[layout.APPLIED + i, case]
-            scale = max(scale, abs(applied))
-            error = max_with_nan(error, abs(applied - reaction[i]))
-    return error / scale if scale > 0.0 else error
 
 
 @inline_exact

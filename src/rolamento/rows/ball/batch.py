@@ -99,7 +99,7 @@ def _refuse_unsound(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     for k in range(order.size):
         done[k] = room[k] + bearing != 0.0
         if done[k]:
-            out.code[order[k]] = status.INVALID_INPUT
+            out.number[order[k]] = status.INVALID_INPUT
 
 
 @inline_exact
@@ -124,7 +124,7 @@ def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     code INVALID_INPUT and is left alone. out: as `solve_some`.
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
     balls = batch.cosines.size
@@ -159,7 +159,7 @@ def propose_moving(
     judged one by one, where it settled (iterations > 0).
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
     if some.size == 0:
@@ -194,7 +194,7 @@ def solve_safely(
     has no start.
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size, abreast), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -232,7 +232,7 @@ def solve_stepwise(
 ) -> None:
     """Solve cases one by one from a heavy load or from rest, step by step; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size, abreast), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -259,7 +259,7 @@ def solve_past_edge(
 ) -> None:
     """Balance rings without the balls that have left their groove; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out.iterations, out.safe
+    iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size, abreast), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -298,14 +298,14 @@ def solve_some(
     compiled or plain; begun: whether rings, balls and cages begin where they stand in out, beside
     the lanes.
     """
-    code, iterations = out.code, out.iterations
+    code, iterations = out.number, out.iterations
     done = np.zeros(len(order), np.bool_)
     if not fast:
         with np.errstate(invalid="ignore"):
             _refuse_unsound(batch, order, done, out)
         left, cautious = order[~done], None
         code[left], iterations[left] = status.NOT_CONVERGED, -1 if begun else 0
-        out.unsupported[left], out.safe[left] = -1, False
+        out.unsupported[left], out.safe_path[left] = -1, False
     elif moving:
         form(propose_moving)(batch, order, True, False, done, out)
         left = order[~done]

@@ -18,7 +18,7 @@ from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import is_finite, worst_ball
 from rolamento.rows.ball.mirror import Mirror
 from rolamento.rows.ball.single import FAR, arm_of, changes_groove
-from rolamento.rows.ball.types import Array, Order, Three
+from rolamento.rows.ball.types import Array, Order
 
 STATIC_STEPS: Final = 10
 MOVING_STEPS: Final = 30
@@ -89,9 +89,9 @@ def begin(room: Room, batch: Batch) -> None:
             put_numbers(room.w, layout.DUTY, lane, batch.bearing, 0)
 
 
-@inline_exact
-def _over_penetration(p: Array, case: int, ball_count: int) -> Three:
-    """A displacement x, y, z at which the heaviest ball carries more than its load.
+@filling
+def start(p: Array, case: int, ball_count: int, u: Array) -> None:
+    """Write a first displacement of the ring: as held, or so that the balls carry too much.
 
     The potential of the contacts is convex: from the loaded side Newton's method comes down to
     the solution, from the unloaded side it overshoots.
@@ -120,14 +120,7 @@ def _over_penetration(p: Array, case: int, ball_count: int) -> Three:
         away = np.cbrt(4.5 * radial / stiffness) ** 2
     if fx == 0.0 or (fx < 0.0 and p[layout.ONE_SIDED, case] > 0.0):
         x = 0.0
-    return x, away * toward_y, away * toward_z
-
-
-@filling
-def start(p: Array, case: int, ball_count: int, u: Array) -> None:
-    """Write a first displacement of the ring: as held, or so that the balls carry too much."""
-    x, y, z = _over_penetration(p, case, ball_count)
-    guess = (x, y, z, 0.0, 0.0)
+    guess = (x, away * toward_y, away * toward_z, 0.0, 0.0)
     for i in range(layout.DEGREES_OF_FREEDOM):
         free = p[layout.FREE + i, case] > 0.0
         u[i] = guess[i] if free else p[layout.IMPOSED + i, case]

@@ -39,11 +39,6 @@ class ContactTable:
     deflection: Floats
     approach: Floats
 
-    @property
-    def contact_angle(self) -> Floats:
-        """(rad)."""
-        return self.angle.value
-
 
 @frozen
 class BallTable:
@@ -93,7 +88,7 @@ def ball_table(
     yaw = np.zeros_like(azimuth)
     motion = _motion(p, control.astype(np.int64), inner, outer)
     if rolling is not None:
-        motion, yaw = motion_of(p, rolling, inner.contact_angle, outer.contact_angle, motion)
+        motion, yaw = motion_of(p, rolling, inner.angle.value, outer.angle.value, motion)
     # J / gamma' D is the parameter: times gamma' D, it is J again
     inertia = column[layout.GYROSCOPIC] * column[layout.GAMMA] * column[layout.BALL_DIAMETER]
     return BallTable(
@@ -181,7 +176,7 @@ _ROWS: Final[dict[Race, tuple[int, int]]] = {
 def _stiffness(column: Columns, first: int, cosine: Floats) -> Floats:
     """K at an angle, from as many coefficients as the case has."""
     value = _polynomial(column, first, layout.COEFFICIENTS, cosine)
-    if column.length > layout.COLUMN:
+    if len(column.bearing) > layout.COLUMN - layout.DUTY:
         long = _polynomial(column, layout.long_polynomial(first), layout.MOST_TERMS, cosine)
         value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
     return value
@@ -218,6 +213,6 @@ def criterion(p: Columns, table: BallTable) -> NDArray[np.int64]:
     return jones_control(
         inner.resistance_to_spin,
         outer.resistance_to_spin,
-        table.inner.contact_angle,
-        table.outer.contact_angle,
+        table.inner.angle.value,
+        table.outer.angle.value,
     )

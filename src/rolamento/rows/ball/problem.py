@@ -48,11 +48,6 @@ class Columns:
         """Number of cases."""
         return int(self.duty.shape[1])
 
-    @property
-    def length(self) -> int:
-        """Number of entries in a column."""
-        return len(self.duty) + len(self.bearing)
-
     def __getitem__(self, row: int | slice) -> Floats:
         """Rows of either part; (…, cases), of the bearing (…, cases or 1)."""
         first = row.start if isinstance(row, slice) else row

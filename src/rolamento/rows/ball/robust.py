@@ -24,7 +24,7 @@ from rolamento.rows.ball.single import (
     Ring,
     add_to_cage,
     add_to_ring,
-    cage_residual,
+    cage_part,
     condense_cage,
     direction,
     empty_ring,
@@ -117,8 +117,8 @@ def evaluate(one: OneCase, cage: float, error: float) -> tuple[bool, float, floa
     the last step). The ring's force and stiffness are those with balls and cage following.
     """
     p, case, moving, x, ring = one.p, one.case, one.moving, one.x, one.ring
-    slowest = min(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
-    fastest = max(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
+    inner, outer = p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case]
+    slowest, fastest = min(inner, outer), max(inner, outer)
     greatest, behind = 0.0, np.inf
     near_ball = max(NEAR, LOOSE * min(error, 1.0))
     near_cage = max(NEAR_CAGE, LOOSE_CAGE * min(error, 1.0))
@@ -126,7 +126,7 @@ def evaluate(one: OneCase, cage: float, error: float) -> tuple[bool, float, floa
         settled, greatest = _settle_balls(one, cage, near_ball)
         if not (settled and moving) or ring.lag_by_cage[0] == 0.0:
             return settled, greatest, cage, 0.0
-        behind = cage_residual(p, case, ring.lag[0], ring.pull[0])
+        behind = cage_part(ring.lag[0], ring.pull[0], inner, outer)
         if ring.lag[0] > 0.0:
             slowest = cage
         else:

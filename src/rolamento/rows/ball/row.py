@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
-from typing import Final, Self, cast
+from typing import ClassVar, Final, cast
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from rolamento.rows.ball.problem import (
     ring_arms,
 )
 from rolamento.rows.ball.rolling import Rolling as Motion
-from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
+from rolamento.rows.ball.run import BallResponse, ball_azimuths, row_verdict, solve_columns
 from rolamento.rows.row import (
     Alone,
     Indices,
@@ -56,77 +56,6 @@ PRESS_PRECISION: Final = 1e-15
 """Fraction of the distance between groove centres: the last step of a row that is pressed in."""
 
 
-@dataclass(slots=True)
-class BallResponse:
-    """Balls in their places: the kernels' arrays, and the lengths that turn places into SI.
-
-    arms: (cases or 1, 5).
-    """
-
-    solution: Solution
-    arms: FloatArray
-    motion: Motion | None = None
-
-    @property
-    def force(self) -> FloatArray:
-        """(cases, 5), N and N·m."""
-        return self.solution.reaction
-
-    @property
-    def face_forces(self) -> FloatArray:
-        """(cases, 1, 5)."""
-        return self.force[:, np.newaxis]
-
-    @property
-    def stiffness(self) -> FloatArray:
-        """(cases, 5, 5)."""
-        return self.solution.stiffness
-
-    @property
-    def place(self) -> FloatArray:
-        """(cases, 5), m and rad."""
-        return self.solution.displacement / self.arms
-
-    @property
-    def scale(self) -> FloatArray:
-        """(cases,), N."""
-        return np.asarray(np.abs(self.force / self.arms).max(axis=1))
-
-    @property
-    def number(self) -> IntArray:
-        """(cases,)."""
-        return self.solution.code
-
-    @property
-    def residual(self) -> FloatArray:
-        """(cases,)."""
-        return self.solution.residual
-
-    @property
-    def iterations(self) -> IntArray:
-        """(cases,)."""
-        return self.solution.iterations
-
-    @property
-    def unsupported(self) -> IntArray:
-        """(cases,)."""
-        return self.solution.unsupported
-
-    @property
-    def safe_path(self) -> BoolArray:
-        """(cases,)."""
-        return self.solution.safe
-
-    @property
-    def memory(self) -> FloatArray | None:
-        """Where moving balls are, and the cage's speed; those at rest begin anew."""
-        return None if np.isnan(self.solution.cage).all() else self.solution.memory
-
-    def put(self, cases: Indices, part: Self) -> None:
-        """Copy what some of the cases answered to their places."""
-        self.solution.put(cases, part.solution)
-
-
 @frozen
 class BallRow:
     """Many cases of a row of balls; p: their numbers as `layout` has them, a column a case.
@@ -140,6 +69,14 @@ class BallRow:
     control: FloatArray
     threads: int | None = None
     fast: bool = True
+    faces: ClassVar = (1.0,)
+    floats: ClassVar = False
+    aside: ClassVar = None
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and balls."""
+        return self.cases, self.element_count
 
     @property
     def cases(self) -> int:
@@ -151,21 +88,6 @@ class BallRow:
         """Which cases have numbers that can be solved; (cases,)."""
         p = self.p
         return np.asarray(np.isfinite(p.duty).all(axis=0) & np.isfinite(p.bearing).all(axis=0))
-
-    @property
-    def faces(self) -> tuple[float, ...]:
-        """One groove a ring."""
-        return (1.0,)
-
-    @property
-    def floats(self) -> bool:
-        """Whether the row locates the shaft axially: its grooves do."""
-        return False
-
-    @property
-    def aside(self) -> FloatArray | None:
-        """It is held by the place of its own plane."""
-        return None
 
     @property
     def sizes(self) -> RowSizes:
@@ -211,14 +133,15 @@ class BallRow:
         """What guides the balls of some of the cases; (len(which) or 1, balls)."""
         return self.control if len(self.control) == 1 else self.control[which]
 
-    def alone(self, which: Indices | None = None) -> BallResponse:
+    def solve(self, which: Index = slice(None), memory: FloatArray | None = None) -> BallResponse:
         """Balance ring and balls of a bearing that is this row: the monolithic fast path.
 
-        The row has been `asked`.
+        The row has been `asked`; memory: as of `respond`.
         """
-        if which is None:
-            return self._solved(self.p, self.control)
-        return self._solved(self.p.of(which), self.control_of(which))
+        return solve_columns(
+            self.p.of(which), self.control_of(which), self.element_count,
+            threads=self.threads, fast=self.fast, memory=memory,
+        )  # fmt: skip
 
     def respond(
         self, place: FloatArray, which: Indices, memory: FloatArray | None = None
@@ -228,7 +151,7 @@ class BallRow:
         p[layout.FREE : layout.FREE + 5] = 0.0
         p[layout.APPLIED : layout.APPLIED + 5] = 0.0
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * ring_arms(p)
-        return self._solved(p, self.control_of(which), memory)
+        return replace(self, p=p, control=self.control_of(which)).solve(memory=memory)
 
     def together(self, rows: Sequence[Row], ring: OnRing) -> Proposal | None:
         """Balance rings with several rows of balls in lanes; None where there are others."""
@@ -239,15 +162,7 @@ class BallRow:
 
     def no_response(self, cases: int) -> BallResponse:
         """Make room for so many cases without a result."""
-        return BallResponse(Solution.empty(cases, self.element_count), ring_arms(self.p).T)
-
-    def _solved(
-        self, p: Columns, control: FloatArray, memory: FloatArray | None = None
-    ) -> BallResponse:
-        solution = solve_columns(
-            p, control, self.element_count, threads=self.threads, fast=self.fast, memory=memory
-        )
-        return BallResponse(solution, ring_arms(p).T)
+        return BallResponse.empty(cases, self.element_count, ring_arms(self.p).T)
 
     def first_contact(self) -> FloatArray:
         """Place along x where the unloaded balls touch; (cases,), m."""
@@ -282,10 +197,9 @@ class BallRow:
             held &= (cosine > p[layout.INNER_EDGE]) & (cosine > p[layout.OUTER_EDGE])
             return np.asarray(np.where(held, a1 - p[layout.AXIAL_OFFSET], np.nan))
 
-    def verdict(self, held: Response, which: Index) -> IntArray:
+    def verdict(self, held: Response, which: Index = slice(None)) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        balls = cast(BallResponse, held)
-        return row_verdict(self.p.of(which), self.control_of(which), balls.solution)
+        return row_verdict(self.p.of(which), self.control_of(which), cast(BallResponse, held))
 
     def rolled(self, start: Alone, traction: Traction) -> BallResponse:
         """Let friction alone move the balls of a bearing that is this row.
@@ -294,25 +208,22 @@ class BallRow:
         """
         from rolamento.rows.ball.traction.solve import solve_rolling
 
-        balls = cast(BallResponse, start)
-        solution, motion = solve_rolling(
-            self.p, balls.solution, self.element_count, traction.friction, traction.cage_drag,
-            mesh=traction.mesh, film=traction.film, threads=self.threads,
+        return solve_rolling(
+            self.p, cast(BallResponse, start), self.element_count, traction.friction,
+            traction.cage_drag, mesh=traction.mesh, film=traction.film, threads=self.threads,
         )  # fmt: skip
-        return BallResponse(solution, balls.arms, motion)
 
     def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         balls = cast(BallResponse, held)
-        solution = balls.solution
-        solution.position[lost], solution.displacement[lost] = np.nan, np.nan
+        balls.position[lost], balls.displacement[lost] = np.nan, np.nan
         if balls.motion is not None:
             balls.motion.forget(lost)
         return BallAnswer(
             self.p,
             np.broadcast_to(self.control, (self.cases, self.element_count)),
-            solution.position,
-            solution.displacement,
+            balls.position,
+            balls.displacement,
             shown,
             balls.motion,
         )
@@ -336,7 +247,7 @@ def ball_row(bearing: BallParameters, running: Running) -> BallRow:
     angle = 0.0 if bearing.contact_angle is None else bearing.contact_angle
     numbers = (
         bearing.ball_diameter, bearing.pitch_diameter, bearing.inner_conformity,
-        bearing.outer_conformity, angle, p[layout.MODULUS],
+        bearing.outer_conformity, angle, p[layout.MODULUS], np.nan,
     )  # fmt: skip
     geometry = RowGeometry(*(np.broadcast_to(np.asarray(n, np.float64), cases) for n in numbers))
     balls = bearing.element_count
@@ -406,12 +317,11 @@ class BallAnswer:
             elements,
             _pressed(found.inner, motion.inner_spin, motion.inner_roll),
             _pressed(found.outer, motion.outer_spin, motion.outer_roll),
-            self._rolling(found.inner, found.outer),
+            None if self.motion is None else self._rolling(self.motion, found.inner, found.outer),
         )
 
-    def _rolling(self, inner: ContactTable, outer: ContactTable) -> Rolling | None:
-        motion = self.motion
-        if motion is None or not np.isfinite(motion.cage_speed).any():
+    def _rolling(self, motion: Motion, inner: ContactTable, outer: ContactTable) -> Rolling | None:
+        if not np.isfinite(motion.cage_speed).any():
             return None
         return Rolling(
             cage_speed=motion.cage_speed,
@@ -420,8 +330,8 @@ class BallAnswer:
             outer_torque=motion.torque("outer"),
             imbalance=motion.imbalance,
             angular_velocity=motion.angular_velocity,
-            inner=self._rolling_contacts(motion, "inner", inner.contact_angle),
-            outer=self._rolling_contacts(motion, "outer", outer.contact_angle),
+            inner=self._rolling_contacts(motion, "inner", inner.angle.value),
+            outer=self._rolling_contacts(motion, "outer", outer.angle.value),
         )
 
     def _rolling_contacts(self, motion: Motion, race: Race, angle: FloatArray) -> RollingContacts:
@@ -444,6 +354,6 @@ class BallAnswer:
 
 
 def _pressed(table: ContactTable, spin: FloatArray, roll: FloatArray) -> Pressed:
-    found = Pressed(table.load, table.contact_angle, table.deflection, table.approach, spin, roll)
+    found = Pressed(table.load, table.angle.value, table.deflection, table.approach, spin, roll)
     vars(found)["angle"] = table.angle
     return found

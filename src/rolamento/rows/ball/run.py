@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import prod
+from operator import attrgetter
 from typing import Any, Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.compiled import Kernel
 from rolamento.numerics.threads import goes_plainly, ready, share_out
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import (
@@ -25,7 +25,8 @@ from rolamento.rows.ball.batch import (
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.detail import ball_table, criterion
 from rolamento.rows.ball.mirror import AXES, mirror, planes
-from rolamento.rows.ball.problem import Columns, Floats, directions
+from rolamento.rows.ball.problem import Columns, Floats, directions, ring_arms
+from rolamento.rows.ball.rolling import Rolling
 from rolamento.rows.ball.types import Output
 
 CHUNK: Final = 2048
@@ -37,79 +38,96 @@ PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
 LEAST_INERTIA: Final = 1e-7
 """Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
+PLAIN: Final = attrgetter("python")
+"""The form of a kernel that is not compiled."""
+UNSCALED: Final = np.ones((1, layout.DEGREES_OF_FREEDOM))
+"""The arms of a response whose place nobody asks for."""
 
 
 @dataclass(slots=True)
-class Solution:
-    """The kernels' output arrays, filled in place.
+class BallResponse:
+    """Balls in their places, in the kernels' arrays, filled in place.
 
-    The displacement is scaled as `layout` has it; reaction and stiffness are in SI.
+    The displacement is scaled as `layout` has it, by the lengths that turn places into SI: arms
+    (cases or 1, 5). Force and stiffness are in SI. motion: of balls that friction alone moves.
     """
 
     displacement: Floats
     cage: Floats
     position: Floats
-    reaction: Floats
+    force: Floats
     stiffness: Floats
     residual: Floats
-    code: NDArray[np.int64]
+    number: NDArray[np.int64]
     unsupported: NDArray[np.int64]
     iterations: NDArray[np.int64]
-    safe: NDArray[np.bool_]
+    safe_path: NDArray[np.bool_]
+    arms: Floats
+    motion: Rolling | None = None
 
     @classmethod
-    def room(cls, cases: int, balls: int) -> Solution:
+    def room(cls, cases: int, balls: int, arms: Floats = UNSCALED) -> BallResponse:
         """Make room for so many cases, whatever stands in it."""
         n = layout.DEGREES_OF_FREEDOM
-        shapes = ((n,), (balls, 2), (n,), (n, n), (), ())
+        shapes = ((n,), (), (balls, 2), (n,), (n, n), ())
         ends = np.cumsum([0, *(cases * prod(shape) for shape in shapes)])
         # together: the system hands out many small pages more slowly than few large ones
         whole = np.empty(ends[-1])
-        displacement, position, reaction, stiffness, residual, cage = (
+        displacement, cage, position, force, stiffness, residual = (
             whole[a:z].reshape(cases, *shape)
             for a, z, shape in zip(ends[:-1], ends[1:], shapes, strict=True)
         )
         cage[:] = np.nan  # none at rest
+        number, unsupported, iterations = (np.empty(cases, np.int64) for _ in range(3))
         return cls(
-            displacement=displacement,
-            cage=cage,
-            position=position,
-            reaction=reaction,
-            stiffness=stiffness,
-            residual=residual,
-            code=np.empty(cases, np.int64),
-            unsupported=np.empty(cases, np.int64),
-            iterations=np.empty(cases, np.int64),
-            safe=np.empty(cases, np.bool_),
-        )
+            displacement, cage, position, force, stiffness, residual, number, unsupported,
+            iterations, np.empty(cases, np.bool_), arms,
+        )  # fmt: skip
 
     @classmethod
-    def empty(cls, cases: int, balls: int) -> Solution:
+    def empty(cls, cases: int, balls: int, arms: Floats = UNSCALED) -> BallResponse:
         """Make room for so many cases, none of which has a result."""
-        solution = cls.room(cases, balls)
-        solution.forget(slice(None))
-        return solution
+        response = cls.room(cases, balls, arms)
+        response.forget(slice(None))
+        return response
 
     def forget(self, cases: NDArray[np.bool_] | slice) -> None:
         """Leave some of the cases without a result: input that cannot be solved."""
         for array in self.arrays():
             array[cases] = np.nan if array.dtype == np.float64 else 0
-        self.code[cases], self.unsupported[cases] = status.INVALID_INPUT, -1
+        self.number[cases], self.unsupported[cases] = status.INVALID_INPUT, -1
 
     def arrays(self) -> Output:
         """All arrays, as the kernels take them."""
-        return Output(
-            self.displacement, self.cage, self.position, self.reaction, self.stiffness,
-            self.residual, self.code, self.unsupported, self.iterations, self.safe,
-        )  # fmt: skip
+        return Output(*(getattr(self, name) for name in Output._fields))
 
     @property
-    def memory(self) -> Floats:
-        """Where balls are, and the cage's speed, for `solve_columns` to begin with; (cases, n)."""
+    def place(self) -> Floats:
+        """(cases, 5), m and rad."""
+        return self.displacement / self.arms
+
+    @property
+    def face_forces(self) -> Floats:
+        """(cases, 1, 5)."""
+        return self.force[:, np.newaxis]
+
+    @property
+    def scale(self) -> Floats:
+        """(cases,), N."""
+        return np.asarray(np.abs(self.force / self.arms).max(axis=1))
+
+    @property
+    def memory(self) -> Floats | None:
+        """Where moving balls are, and the cage's speed, for `solve_columns` to begin with.
+
+        (cases, any); those at rest begin anew.
+        """
+        if np.isnan(self.cage).all():
+            return None
         return np.column_stack([self.position.reshape(len(self.cage), -1), self.cage])
 
     def put(self, cases: NDArray[np.intp], part: Self) -> None:
-        """Copy the solution of some of the cases to their places."""
+        """Copy what some of the cases answered to their places."""
         for whole, piece in zip(self.arrays(), part.arrays(), strict=True):
             whole[cases] = piece
 
@@ -123,27 +141,20 @@ def solve_columns(
     fast: bool = True,
     most_work: float = MOST_WORK,
     memory: Floats | None = None,
-) -> Solution:
+) -> BallResponse:
     """Solve every column of parameters.
 
     control: +1 or -1 (cases, balls) or (1, balls); most_work: how often a ball may be evaluated on
-    a case beside the fast path; memory: of a `Solution` of columns much like these, from which
+    a case beside the fast path; memory: of a `BallResponse` of columns much like these, from which
     moving balls begin where it is no NaN, their rings held. Columns that are not finite get the
     code INVALID_INPUT and are left alone.
     """
     cases = p.cases
-    solution = Solution.room(cases, balls)
+    solution = BallResponse.room(cases, balls, ring_arms(p).T)
     if cases == 0:
         return solution
     moving, batch = has_inertia(p), _batch(p, control, balls)
     plane = planes(p, control) if fast else np.zeros(cases, np.int8)
-
-    def run(which: NDArray[np.bool_], moving: bool) -> None:
-        for number in (0, *AXES):
-            own = batch._replace(mirror=mirror(balls, number))
-            some = np.flatnonzero(which & (plane == number))
-            _run_threads(own, some, moving, threads, fast, most_work, solution, near)
-
     near, done = np.zeros(cases, np.bool_), np.zeros(cases, np.bool_)
     if memory is not None and fast:
         near = moving & np.isfinite(memory).all(axis=1)
@@ -152,15 +163,18 @@ def solve_columns(
         for number in (0, *AXES):
             own = batch._replace(mirror=mirror(balls, number))
             _run_warm(own, np.flatnonzero(near & (plane == number)), threads, solution)
-        done = near & (solution.code == status.CONVERGED)
+        done = near & (solution.number == status.CONVERGED)
         near[:] = False
-    if not moving.all():
-        run(~moving, False)
-        # what is left out of those is part of their residual: some have to be solved with it
-        again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
-        moving |= again & turns(p)
-    run(moving & ~done, True)
-    solution.forget(solution.code == status.INVALID_INPUT)
+    for with_inertia in (False, True):
+        which = moving & ~done if with_inertia else ~moving
+        for number in (0, *AXES):
+            own = batch._replace(mirror=mirror(balls, number))
+            some = np.flatnonzero(which & (plane == number))
+            _run_threads(own, some, with_inertia, threads, fast, most_work, solution, near)
+        # what is left out at rest is part of the residual: some have to be solved with it
+        left_out = solution.number == accept.NEEDS_INERTIA
+        moving |= (left_out | (solution.number == status.NOT_CONVERGED)) & turns(p)
+    solution.forget(solution.number == status.INVALID_INPUT)
     return solution
 
 
@@ -176,7 +190,7 @@ def _batch(p: Columns, control: Floats, balls: int) -> Batch:
 
 def compile_all(p: Columns, control: Floats, balls: int) -> None:
     """Compile every kernel that some case may need, whether these cases do or not."""
-    batch, out = _batch(p, control, balls), Solution.empty(p.cases, balls).arrays()
+    batch, out = _batch(p, control, balls), BallResponse.empty(p.cases, balls).arrays()
     none, done, work = np.zeros(0, np.int64), np.zeros(0, np.bool_), np.zeros(0)
     ready(propose_moving)(batch, none, True, False, done, out)
     ready(propose_at_rest)(batch, none, done, out)
@@ -204,7 +218,9 @@ def has_inertia(p: Columns) -> NDArray[np.bool_]:
         return np.asarray(force > p[layout.SERIES_STIFFNESS] * approach * np.sqrt(approach))
 
 
-def _begin_nearby(p: Columns, memory: Floats, near: NDArray[np.bool_], solution: Solution) -> None:
+def _begin_nearby(
+    p: Columns, memory: Floats, near: NDArray[np.bool_], solution: BallResponse
+) -> None:
     """Put rings where they are held, and balls and cage where they were."""
     solution.displacement[near] = p[layout.IMPOSED : layout.IMPOSED + 5].T[near]
     solution.position[near] = memory[near, :-1].reshape(-1, *solution.position.shape[1:])
@@ -212,7 +228,7 @@ def _begin_nearby(p: Columns, memory: Floats, near: NDArray[np.bool_], solution:
 
 
 def _run_warm(
-    batch: Batch, which: NDArray[np.intp], threads: int | None, solution: Solution
+    batch: Batch, which: NDArray[np.intp], threads: int | None, solution: BallResponse
 ) -> None:
     """Balance balls from where they stand; what does not settle is left not converged."""
     out, done = solution.arrays(), np.zeros(len(which), np.bool_)
@@ -230,7 +246,7 @@ def _run_threads(
     threads: int | None,
     fast: bool,
     most_work: float,
-    solution: Solution,
+    solution: BallResponse,
     near: NDArray[np.bool_],
 ) -> None:
     """Share some of the cases out to threads, in chunks small enough to keep all of them busy.
@@ -255,7 +271,7 @@ def _run_threads(
     share_out(first_kernel, run, cases, chunk=CHUNK, threads=threads, little=cases <= FEW)
     if left:
         hard = np.array(left)
-        solution.put(hard, Solution.empty(len(hard), balls))
+        solution.put(hard, BallResponse.empty(len(hard), balls))
         solve_some(batch, moving, hard, fast, most_work, out)
 
 
@@ -268,19 +284,15 @@ def _interpret(batch: Batch, moving: bool, case: int, out: Output, begun: bool) 
     """
     for work in (PLAIN_WORK, MOST_WORK):
         try:
-            solve_some(batch, moving, np.array([case]), False, work, out, _plain, begun=begun)
+            solve_some(batch, moving, np.array([case]), False, work, out, PLAIN, begun=begun)
         except (ZeroDivisionError, OverflowError, ValueError):
             return False
-        if out.code[case] != status.NOT_CONVERGED:
+        if out.number[case] != status.NOT_CONVERGED:
             return True
         if solve_stepwise.is_cached:
             return False
         begun = False
     return False
-
-
-def _plain(kernel: Kernel[..., None]) -> Callable[..., None]:
-    return kernel
 
 
 def ball_azimuths(p: Columns, balls: int) -> Floats:
@@ -291,7 +303,7 @@ def ball_azimuths(p: Columns, balls: int) -> Floats:
     return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
 
 
-def row_verdict(p: Columns, control: Floats, solution: Solution) -> NDArray[np.int64]:
+def row_verdict(p: Columns, control: Floats, solution: BallResponse) -> NDArray[np.int64]:
     """Jones's criterion for every ball of a row; (cases, balls)."""
     azimuth = ball_azimuths(p, control.shape[1])
     return criterion(p, ball_table(p, control, solution.displacement, solution.position, azimuth))

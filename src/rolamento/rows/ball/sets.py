@@ -14,8 +14,8 @@ from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import Columns, directions, ring_arms
-from rolamento.rows.ball.row import BallResponse, BallRow
-from rolamento.rows.ball.run import Solution, has_inertia, turns
+from rolamento.rows.ball.row import BallRow
+from rolamento.rows.ball.run import BallResponse, has_inertia, turns
 from rolamento.rows.ball.set_blocks import (
     PRESS,
     STANDING,
@@ -146,14 +146,15 @@ class _Run:
         """Solve some of the cases, in threads, chunks of them at a time."""
         pairs = [directions(row.element_count) for row in self.rows]
         cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
-        longest = max(p.length for p in self.columns)
+        longest = layout.DUTY + max(len(p.bearing) for p in self.columns)
 
         kernel = ready(solve_sets)
 
         def run(some: IntArray) -> None:
             p = np.zeros((len(self.rows), longest, len(some)))
             for own, columns in zip(p, self.columns, strict=True):
-                own[: columns.length] = columns.of(some).whole()
+                whole = columns.of(some).whole()
+                own[: len(whole)] = whole
             control = self.control if len(self.control) == 1 else self.control[some]
             # one order in memory: the kernels are compiled for each that they meet
             stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
@@ -188,16 +189,16 @@ class _Run:
         for row, (p, a, z) in enumerate(
             zip(self.columns, self._ends[:-1], self._ends[1:], strict=True)
         ):
-            solution = Solution(
+            yield BallResponse(
                 displacement=found.displacement[row],
                 cage=found.cage[row],
                 position=found.position[:, a:z],
-                reaction=found.reaction[row],
+                force=found.reaction[row],
                 stiffness=found.row_stiffness[row],
                 residual=found.row_residual[row],
-                code=found.code[row],
+                number=found.code[row],
                 unsupported=np.full(n, -1),
                 iterations=np.zeros(n, np.int64),
-                safe=np.zeros(n, np.bool_),
+                safe_path=np.zeros(n, np.bool_),
+                arms=ring_arms(p).T,
             )
-            yield BallResponse(solution, ring_arms(p).T)

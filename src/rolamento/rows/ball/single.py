@@ -127,32 +127,21 @@ def inner_length(p: Array, case: int, control: float) -> float:
 
 
 @inline_exact
-def handing_over(p: Array, case: int, cage: float) -> Cage:
-    """The cage's speed, and how it hands a ball over to the inner ring."""
-    return (
-        cage, p[layout.HOLD_RATE, case], p[layout.HOLD_OFFSET, case], p[layout.OWN_ORBIT, case],
-    )  # fmt: skip
+def rolling(p: Array, case: int, cage: float, control: float) -> tuple[Motion, Cage, float, float]:
+    """What `ball.inertia` takes of a case: motion, cage, which race controls the ball, lambda_i.
 
-
-@inline_exact
-def motion(p: Array, case: int) -> Motion:
-    """gamma', c_f, c_g, the rings' speeds, and the arm of the friction."""
-    return (
+    The sign of `control` names the race; its size shows whether the ball is off the inner groove.
+    """
+    motion = (
         p[layout.GAMMA, case], p[layout.CENTRIFUGAL, case], p[layout.GYROSCOPIC, case],
         p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case], p[layout.FRICTION_ARM, case],
     )  # fmt: skip
-
-
-@inline_exact
-def race_control(control: float) -> float:
-    """Which race controls the ball, +1 or -1; the size of `control` shows whether it is off."""
-    return 1.0 if control > 0.0 else -1.0
-
-
-@inline_exact
-def inner_share(p: Array, case: int, control: float) -> float:
-    """lambda_i: the inner race's part of the gyroscopic moment."""
-    return p[layout.LAMBDA_INNER, case] if control > 0.0 else 2.0
+    handing_over = (
+        cage, p[layout.HOLD_RATE, case], p[layout.HOLD_OFFSET, case], p[layout.OWN_ORBIT, case],
+    )  # fmt: skip
+    if control > 0.0:
+        return motion, handing_over, 1.0, p[layout.LAMBDA_INNER, case]
+    return motion, handing_over, -1.0, 2.0
 
 
 @inline_exact
@@ -179,10 +168,10 @@ def balance_along(
     outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
     s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
     s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
+    motion, handing_over, sigma, share = rolling(p, case, cage, control)
     force, at_i, at_o, _ = inertia_exact(
-        s_i, c_i, s_o, c_o, q_i, motion(p, case), handing_over(p, case, cage),
-        race_control(control), inner_share(p, case, control),
-    )  # fmt: skip
+        s_i, c_i, s_o, c_o, q_i, motion, handing_over, sigma, share
+    )
     cosine = c_i * c_o + s_i * s_o
     sine = s_i * c_o - c_i * s_o
     along = q_i * cosine + at_i[0] * sine - q_o + force[0] * c_o
@@ -197,10 +186,10 @@ def linearised(
     """`ball.linearised` for a ball of a case."""
     inner = (inner_length(p, case, control), (p, layout.INNER_STIFFNESS, case))
     outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
+    motion, handing_over, sigma, share = rolling(p, case, cage, control)
     ball: Linearised = linearised_exact(
-        a1, a2, x1, x2, inner, outer, motion(p, case), handing_over(p, case, cage),
-        race_control(control), inner_share(p, case, control),
-    )  # fmt: skip
+        a1, a2, x1, x2, inner, outer, motion, handing_over, sigma, share
+    )
     return ball
 
 
@@ -230,16 +219,6 @@ def static_ball(p: Array, case: int, control: float, a1: float, a2: float) -> St
 
 
 @inline_exact
-def _add_row(matrix: Array, row: int, by_a1: float, by_a2: float, c: float, s: float) -> None:
-    """Add a row of the ring's stiffness, given the derivatives by A1 and A2."""
-    matrix[row, 0] += by_a1
-    matrix[row, 1] += s * by_a2
-    matrix[row, 2] += c * by_a2
-    matrix[row, 3] += c * by_a1
-    matrix[row, 4] -= s * by_a1
-
-
-@inline_exact
 def add_force(total: Array, c: float, s: float, force: Three) -> None:
     """Add one ball's force and moment to the ring's."""
     f1, f2, h = force
@@ -254,13 +233,16 @@ def add_force(total: Array, c: float, s: float, force: Three) -> None:
 def add_to_ring(ring: Ring, c: float, s: float, force: Three, stiffness: Six) -> None:
     """Add one ball's force and stiffness to the ring's (as lanes._add_to_ring does)."""
     k11, k12, k21, k22, h1, h2 = stiffness
-    matrix = ring.matrix
+    by_a1 = (k11, s * k21, c * k21, c * h1, -s * h1)
+    by_a2 = (k12, s * k22, c * k22, c * h2, -s * h2)
     add_force(ring.reaction, c, s, force)
-    _add_row(matrix, 0, k11, k12, c, s)
-    _add_row(matrix, 1, s * k21, s * k22, c, s)
-    _add_row(matrix, 2, c * k21, c * k22, c, s)
-    _add_row(matrix, 3, c * h1, c * h2, c, s)
-    _add_row(matrix, 4, -s * h1, -s * h2, c, s)
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        row = ring.matrix[i]
+        row[0] += by_a1[i]
+        row[1] += s * by_a2[i]
+        row[2] += c * by_a2[i]
+        row[3] += c * by_a1[i]
+        row[4] -= s * by_a1[i]
 
 
 @filling
@@ -314,12 +296,6 @@ def cage_part(lag: float, pull: float, inner_speed: float, outer_speed: float) -
     """How far the cage is from the mean of its drives, as a part of a ball's F_c, about."""
     scale = pull * (0.1 * (abs(inner_speed) + abs(outer_speed)))
     return abs(lag) / scale if scale > 0.0 else 0.0
-
-
-@inline_exact
-def cage_residual(p: Array, case: int, lag: float, pull: float) -> float:
-    """`cage_part` for a case."""
-    return cage_part(lag, pull, p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
 
 
 @inline_exact

@@ -46,17 +46,17 @@ class Output(NamedTuple):
     """What the kernels find, in the arrays that they fill.
 
     displacement (cases, 5): scaled as in `layout`; cage (cases,): its speed; position (cases,
-    balls, 2); reaction (cases, 5), stiffness (cases, 5, 5): SI; residual, code, unsupported and
-    iterations (cases,); safe (cases,): whether a case was solved one by one.
+    balls, 2); force (cases, 5), stiffness (cases, 5, 5): SI; residual, number of the status,
+    unsupported and iterations (cases,); safe_path (cases,): whether a case was solved one by one.
     """
 
     displacement: Array
     cage: Array
     position: Array
-    reaction: Array
+    force: Array
     stiffness: Array
     residual: Array
-    code: Order
+    number: Order
     unsupported: Order
     iterations: Order
-    safe: NDArray[np.bool_]
+    safe_path: NDArray[np.bool_]

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
 from rolamento.grease.estimate import life_of_mean
+from rolamento.grease.of_case import GreaseCase, grease_of_solved
 from rolamento.tasks.endings.ending import Ending, EndingLaw
-from rolamento.tasks.grease import GreaseCase, grease_of_solved
 from rolamento.words import Note
 
 if TYPE_CHECKING:

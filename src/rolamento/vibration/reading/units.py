@@ -13,6 +13,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from rolamento.errors import InputError, arguments, nearest, phrase
+from rolamento.validate import one_of
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
 from rolamento.words import marked, said
 
@@ -151,13 +152,7 @@ def checked_speed_unit(unit: Any) -> str:
         If it is none.
     """
     plain = plain_unit(unit) if isinstance(unit, str) else ""
-    if plain not in SPEED_UNITS:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(SPEED_UNITS)),
-            field="speed_unit",
-            value=unit,
-            example=arguments(speed_unit="rpm"),
-        )
+    one_of(plain or unit, "speed_unit", SPEED_UNITS, arguments(speed_unit="rpm"))
     return plain
 
 

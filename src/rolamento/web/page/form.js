@@ -131,7 +131,7 @@ class Control {
     this.body.hidden = false;
     if (!example || /[={[]/.test(example) || !("value" in this.control)) return;
     this.error.append(" ", make("button", {
-      type: "button", className: "instead", textContent: say("form.use", { example }),
+      type: "button", className: "instead", textContent: say("form.use", { example: this.field.choices.find(({ value }) => value === example)?.label ?? example }),
       onclick: () => {
         this.control.value = example;
         this.typedIn(example);

@@ -118,8 +118,9 @@ export function makeLead({ fields, change, current, names }) {
       const text = input.value.trim();
       if (!text) continue;
       const field = byName.get(input.name);
-      const { number, unit, text: read } = typed(text);
-      found[input.name] = number !== undefined && !unit ? `${number} ${field.unit === "µm" ? "um" : field.unit}` : read;
+      const { number, doubt, unit, text: read } = typed(text);
+      const value = number ?? doubt?.whole; // it is shown at once, on the drawing too
+      found[input.name] = value === undefined ? read : `${value} ${unit || (field.unit === "µm" ? "um" : field.unit)}`;
     }
     if (Object.keys(found).length) change(found);
     else $("first").querySelector("input").focus();

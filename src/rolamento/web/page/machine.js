@@ -413,7 +413,8 @@ export function makeMachine({ complain, recover, doing, lang }) {
   function arrange({ examples, pictures }) {
     $("machine-examples").replaceChildren(...examples.map(({ name, title }) => make("li", {}, make("button", {
       type: "button", onclick: doing(() => open({ example: name })),
-    }, make("strong", { textContent: name }), ` ${title}`))));
+      value: name, textContent: title,
+    }))));
     $("machine-pictures").replaceChildren(...pictures.map(({ key, label }) => {
       const element = make("details", {
         className: "section", open: remembered(`machine.picture.${key}`, true),

@@ -305,9 +305,10 @@ function layoutOf(given, { offsetWidth: width, offsetHeight: height }, data) {
     layout.polar = { bgcolor: "rgba(0,0,0,0)", angularaxis: { ...round, ...layout.polar.angularaxis },
       radialaxis: { ...round, tickfont: { size: 10 }, ...layout.polar.radialaxis, title: { text: "" } } };
   }
+  const long = layout.yaxis?.type === "log" && layout.yaxis.range?.[1] > 5.2; // "10 000 000"
   return {
     autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: colour("paper"), plot_bgcolor: "rgba(0,0,0,0)",
-    margin: layout.polar ? { l: 44, r: 44, t: 32, b: 36 } : { l: layout.yaxis.title.text.includes("<br>") ? 78 : 64, r: 14, t: 12, b: layout.xaxis.title.text.includes("<br>") ? 62 : 48 },
+    margin: layout.polar ? { l: 44, r: 44, t: 32, b: 36 } : { l: long ? 92 : layout.yaxis.title.text.includes("<br>") ? 78 : 64, r: 14, t: 12, b: layout.xaxis.title.text.includes("<br>") ? 62 : 48 },
     font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: colour("ink") },
     hoverlabel: { bgcolor: colour("paper"), bordercolor: colour("grey"), font: { color: colour("ink") } },
     ...layout,

@@ -53,7 +53,7 @@ export function typed(text) {
   if (mark === ",") {
     if (number.includes(",")) number = number.replace(/[.\u00a0 ]/g, "").replace(",", ".");
     else if (/^[-+]?[1-9]\d{0,2}(\.\d{3})+$/.test(number))
-      return { text, doubt: { decimal: number.replace(".", ","), whole: number.replaceAll(".", "") } };
+      return { text, doubt: { decimal: number.replace(".", ","), whole: number.replaceAll(".", "") }, unit: match[2] };
   }
   number = number.replace(/[\u00a0 ]/g, "");
   return { text: `${number} ${match[2]}`.trim(), number, unit: match[2] };

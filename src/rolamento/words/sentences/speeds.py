@@ -21,7 +21,7 @@ LIMIT_NAMES: Final = {
     "oil_bath": marked("limiting speed, oil bath"),
     "high_speed": marked("limiting speed, oil-air, mist or jet"),
 }
-"""Names of `rolamento.tasks.speed.SpeedLimit.name`."""
+"""Names of `rolamento.analysis.speed_limits.SpeedLimit.name`."""
 
 
 def _above(values: Mapping[str, Any]) -> str:

@@ -478,7 +478,7 @@ def _row(bearing: BallParameters, running: Running, flanks: tuple[float, ...]) -
     )
     shown = 0.0 if bearing.contact_angle is None else bearing.contact_angle
     geometry = (
-        diameter, pitch, bearing.inner_conformity, bearing.outer_conformity, shown, modulus,
+        diameter, pitch, bearing.inner_conformity, bearing.outer_conformity, shown, modulus, np.nan,
     )  # fmt: skip
     return GrooveRow(
         numbers,

@@ -25,7 +25,8 @@ from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.rotation import rotation_of
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallAnswer, BallResponse, BallRow, ball_row
+from rolamento.rows.ball.row import BallAnswer, BallRow, ball_row
+from rolamento.rows.ball.run import BallResponse
 from rolamento.rows.row import (
     Indices,
     IntArray,

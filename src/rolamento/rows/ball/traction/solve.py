@@ -20,7 +20,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Columns, Floats, directions, ring_arms
 from rolamento.rows.ball.rolling import Rolling
-from rolamento.rows.ball.run import Solution, ball_azimuths, has_inertia
+from rolamento.rows.ball.run import BallResponse, ball_azimuths, has_inertia
 from rolamento.rows.ball.traction import balance, system
 from rolamento.rows.ball.traction.balance import Place
 from rolamento.rows.ball.traction.ball import (
@@ -53,7 +53,7 @@ MOST_IMBALANCE: Final = 1e-6
 
 def solve_rolling(
     p: Columns,
-    start: Solution,
+    start: BallResponse,
     balls: int,
     friction: Floats,
     drag: Floats,
@@ -61,16 +61,15 @@ def solve_rolling(
     mesh: str = "fine",
     film: Film | None = None,
     threads: int | None = None,
-) -> tuple[Solution, Rolling]:
+) -> BallResponse:
     """Let friction control the balls of every case.
 
     start: under outer raceway control; friction: μ, (cases,); drag: the
-    torque that holds the cage back, (cases,), N·m; film: what shears in the contacts. Returns the
-    solution, scaled as `run` has it, and the motions.
+    torque that holds the cage back, (cases,), N·m; film: what shears in the contacts.
     """
     cases = p.cases
     constants = case_constants(p, friction)
-    solution = Solution.empty(cases, balls)
+    solution = BallResponse.empty(cases, balls, start.arms)
     solution.put(np.arange(cases), start)
     table = ball_table(
         p, np.ones((1, balls)), start.displacement, start.position, ball_azimuths(p, balls)
@@ -80,7 +79,7 @@ def solve_rolling(
         rolling.lift[:] = film.lift
     problem = _Problem.of(p, constants, drag, balls, mesh, film)
     turning = p[layout.INNER_SPEED] != p[layout.OUTER_SPEED]
-    wanted = np.flatnonzero((start.code == status.CONVERGED) & turning).tolist()
+    wanted = np.flatnonzero((start.number == status.CONVERGED) & turning).tolist()
 
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         for case in wanted[first:last]:
@@ -89,7 +88,8 @@ def solve_rolling(
     kernel = system.solve_with_friction
     share_out(kernel, run, len(wanted), chunk=1, threads=threads, little=False)
     _check_power(p, drag, solution, rolling)
-    return solution, rolling
+    solution.motion = rolling
+    return solution
 
 
 @frozen
@@ -136,7 +136,11 @@ class _Problem:
 
 
 def _solve_case(
-    kernel: Callable[..., Any], problem: _Problem, case: int, solution: Solution, rolling: Rolling
+    kernel: Callable[..., Any],
+    problem: _Problem,
+    case: int,
+    solution: BallResponse,
+    rolling: Rolling,
 ) -> None:
     """Solve one case and put the result into its place, or the code of its failure."""
     rig, balls = problem.rig(case), problem.cosines.size
@@ -150,7 +154,7 @@ def _solve_case(
     )
     solution.iterations[case] += steps
     if code != system.CONVERGED:
-        solution.code[case] = status.NOT_CONVERGED
+        solution.number[case] = status.NOT_CONVERGED
         return
     touched = np.asarray(forces[:, :2].sum(axis=1) > 0.0)
     rolling.cage_speed[case] = place.u[balance.CAGE]
@@ -160,11 +164,11 @@ def _solve_case(
     rolling.outer[case] = forces[:, balance.OF_OUTER : balance.FORCES]
     solution.displacement[case], solution.position[case] = place.u[:5], place.x
     arms = ring_arms(problem.p[:, case])
-    solution.reaction[case] = reaction * arms
+    solution.force[case] = reaction * arms
     solution.stiffness[case] = tangent * np.outer(arms, arms)
 
 
-def _check_power(p: Columns, drag: Floats, solution: Solution, rolling: Rolling) -> None:
+def _check_power(p: Columns, drag: Floats, solution: BallResponse, rolling: Rolling) -> None:
     """Compare the work of shaft and housing with the losses; a case that fails has no result."""
     work = p[layout.INNER_SPEED] * rolling.torque("inner")
     work += p[layout.OUTER_SPEED] * rolling.torque("outer")
@@ -173,7 +177,7 @@ def _check_power(p: Columns, drag: Floats, solution: Solution, rolling: Rolling)
         rolling.imbalance[:] = np.abs(work - lost) / lost
     failed = np.isfinite(rolling.cage_speed)
     failed &= ~(rolling.imbalance <= MOST_IMBALANCE)
-    solution.code[failed] = status.NOT_CONVERGED
+    solution.number[failed] = status.NOT_CONVERGED
     rolling.forget(failed)
 
 

@@ -10,6 +10,7 @@ from typing import Any, Final, Literal
 
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
+from rolamento.case.case import BearingLike, name_of
 from rolamento.case.fields import Changes
 from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
@@ -51,7 +52,6 @@ from rolamento.speeds import (
     thermal_reference_speed,
 )
 from rolamento.speeds.permissible import LEAST_PRODUCT, HeatShares
-from rolamento.tasks.bearing import BearingLike, name_of
 from rolamento.types import of_balls
 from rolamento.words import Note, said
 
