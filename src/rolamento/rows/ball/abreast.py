@@ -14,7 +14,7 @@ from rolamento.numerics.compiled import filling, inline_exact
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.blocks import put_ball, put_displacement, put_numbers, put_position
 from rolamento.rows.ball.settle import NEWTON_STEPS, SHORTENINGS
-from rolamento.rows.ball.single import FAR, OFF_GROOVE, OneCase, race_control
+from rolamento.rows.ball.single import FAR, OFF_GROOVE, OneCase
 from rolamento.rows.ball.types import Array
 
 _LANES: Final = layout.LANES
@@ -34,7 +34,8 @@ def fill(one: OneCase) -> None:
     for block in range(b.shape[0]):
         for lane in range(_LANES):
             j = min(block * _LANES + lane, one.control.size - 1)
-            put_ball(w, b[block], lane, one.cosines[j], one.sines[j], race_control(one.control[j]))
+            sigma = 1.0 if one.control[j] > 0.0 else -1.0
+            put_ball(w, b[block], lane, one.cosines[j], one.sines[j], sigma)
             if abs(one.control[j]) >= OFF_GROOVE:
                 b[block, layout.OFF * _LANES + lane] = FAR
 
