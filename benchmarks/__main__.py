@@ -14,6 +14,7 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
+from time import perf_counter
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -86,7 +87,7 @@ FULL = Effort(
     sample=100,
     robust_cases=100_000,
     timed_cases=1_000_000,
-    law_cases=1_000_000,
+    law_cases=300_000,
     roller_law_cases=100_000,
     runs=10,
     sweep_cases=1_000_000,
@@ -223,14 +224,17 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
 
 def run(effort: Effort, console: Console) -> Findings:
     """Take all measurements, warm kernels first, and tell what is going on."""
-    findings = Findings.none()
+    findings, took = Findings.none(), list[Figure]()
     columns = TextColumn("{task.description:32}"), BarColumn(), TimeElapsedColumn()
     with Progress(*columns, console=console, transient=True) as progress:
         task = progress.add_task("compiling the kernels", total=len(steps(effort)) + 1)
         throughput.warm_up()
         for name, measure in steps(effort):
             progress.update(task, advance=1, description=name)
+            began = perf_counter()
             findings.add(measure())
+            took.append(Figure("what measuring takes", name, perf_counter() - began, "s"))
+    findings.figures += took
     return findings
 
 

@@ -26,6 +26,7 @@ from rolamento.rows.ball.run import MOST_WORK, solve_columns
 from rolamento.system import spread
 
 NAME: Final = "time of one case"
+LAWS: Final = "the same, duties of laws"
 AGAINST: Final = "the same, rings against each other at light load"
 PARTS: Final = (50.0, 99.0, 99.9)
 TARGETS: Final = {99.9: below(2.0)}
@@ -33,9 +34,10 @@ LONGEST: Final = below(50.0)
 
 
 def measure(cases: int) -> Findings:
-    """Time so many random cases, and a hundredth as many of rings against each other."""
+    """Time so many random cases, a tenth as many of `laws`, a hundredth against each other."""
     findings = _measured(NAME, _random(cases), TARGETS)
-    findings.add(_measured(AGAINST, _against(cases // 100), {}))
+    findings.add(_measured(LAWS, _of_laws(cases // 10, against=False), {}))
+    findings.add(_measured(AGAINST, _of_laws(cases // 100, against=True), {}))
     return findings
 
 
@@ -46,12 +48,13 @@ def _random(cases: int) -> Iterator[tuple[rolamento.Case, dict[str, Floats]]]:
         yield case, random_duties(random, case.bearing, lot, counter_rotating=False)
 
 
-def _against(cases: int) -> Iterator[tuple[rolamento.Case, dict[str, Floats]]]:
-    """The duties of `laws` at light load, of which a few hundredths have no equilibrium."""
+def _of_laws(cases: int, *, against: bool) -> Iterator[tuple[rolamento.Case, dict[str, Floats]]]:
+    """The duties of `laws`; against: at light load, a few hundredths without an equilibrium."""
     random = np.random.default_rng(SEED)
     for lot in _lots(cases):
         case = laws.random_case(random)
-        yield case, laws.turned_against(random, laws.random_duty(random, case.bearing, lot))
+        duty = laws.random_duty(random, case.bearing, lot)
+        yield case, laws.turned_against(random, duty) if against else duty
 
 
 def _lots(cases: int) -> Iterator[int]:

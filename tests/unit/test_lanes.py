@@ -23,7 +23,7 @@ from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.problem import Columns, apply_model, directions, ring_arms
 from rolamento.rows.ball.run import BallResponse, solve_columns
-from rolamento.rows.ball.settle import settle
+from rolamento.rows.ball.settle import NEAR, settle
 from rolamento.rows.ball.single import (
     OFF_GROOVE,
     OneCase,
@@ -208,7 +208,7 @@ def test_steps_of_its_own_bring_a_ball_to_rest(filled: tuple[np.ndarray, ...]) -
             a1, a2 = groove(p, lane, u[lane], *direction(p, lane, cosines[j], sines[j]))
             start = row(stands[-1][j], layout.POSITION, lane, 2)
             found, *place, _ = settle(
-                p, lane, cage, control[lane, j], a1, a2, *start, np.array([1e6])
+                p, lane, cage, control[lane, j], a1, a2, *start, NEAR, np.array([1e6])
             )
             assert found
             for k, balls in enumerate(stands):
@@ -255,7 +255,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
 
     together = BallResponse.empty(cases, balls)
     accepted = np.zeros(cases, np.bool_)
-    ring = ring_around.python(balls)
+    ring = ring_around.python(balls, False)
     errors = np.zeros((balls, 2))
     batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(balls, 0))
     judge_blocks.compiled(

@@ -180,6 +180,7 @@ def _numba() -> Any:
     import llvmlite.binding
     import numba
 
+    _take_whole_vectors(numba.config)
     llvmlite.binding.set_option("rolamento", "--memory-check-merge-threshold=1000")
     from numba.core import types
     from numba.extending import overload, typeof_impl
@@ -199,6 +200,16 @@ def _numba() -> Any:
     )
 
     return numba
+
+
+def _take_whole_vectors(config: Any) -> None:
+    """Use 512-bit vectors wherever there are any, unless NUMBA_CPU_FEATURES says otherwise.
+
+    LLVM prefers 256 bits on Intel's processors, whose clock once fell with more.
+    """
+    features = import_module("numba.core.codegen").get_host_cpu_features()
+    if config.CPU_FEATURES is None and "+avx512f" in features:
+        config.CPU_FEATURES = f"{features},-prefer-256-bit"
 
 
 def _only_of_kernels(executable: Callable[..., Any]) -> Callable[..., Any]:

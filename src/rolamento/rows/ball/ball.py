@@ -81,6 +81,9 @@ def horner(value: float, slope: float, c: float, coefficient: float) -> Two:
     return value * c + coefficient, slope * c + value
 
 
+short_polynomial = inline_exact(_short_polynomial)
+
+
 def _at_hand(c: float, stiffness: Two) -> Two:
     """K(cos a) and dK/d(cos a), evaluated before."""
     return stiffness

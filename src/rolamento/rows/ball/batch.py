@@ -2,15 +2,14 @@
 
 Every case takes the same ways in the same order, whatever stands beside it: in lanes with caution,
 in lanes without, then one by one from where it stands, from a ring pressed in and from one that is
-free, from where caution had led, from the balance under a load a little off, and step by step. So
-its result does not depend on its neighbours. Each way is a kernel of its own, compiled when a case
-first needs it.
+free, from where caution had led, and step by step. So its result does not depend on its
+neighbours. Each way is a kernel of its own, compiled when a case first needs it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,9 +43,7 @@ from rolamento.rows.ball.types import Array, Order, Output
 
 STEPWISE: Final = 0.8
 """Part of the work that is left that going step by step may take."""
-NEIGHBOURS: Final = (1.001, 0.999, 1.01, 0.99, 1.05, 0.95, 1.2, 0.8)
-"""Times the loads: where the balance of a moving case is looked for when its own is not found."""
-SHARE: Final = 0.4
+SHARE: Final = 0.2
 """Part of the work that is left that one more attempt may take."""
 
 
@@ -133,7 +130,7 @@ def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     balls = batch.cosines.size
     room = room_for(batch.mirror.seats.shape[0])
     solve_static(batch, some, False, room, displacement, position, iterations)
-    ring, errors = ring_around(balls), np.zeros((balls, 2))
+    ring, errors = ring_around(balls, False), np.zeros((balls, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
     for place in range(order.size):
         case = order[place]
@@ -188,7 +185,7 @@ def propose_moving(
 
 @kernel
 def solve_safely(
-    batch: Batch, moving: bool, order: Order, anew: bool, work: Array, out: Output
+    batch: Batch, moving: bool, abreast: bool, order: Order, anew: bool, work: Array, out: Output
 ) -> None:
     """Solve cases one by one from where they stand, and where that fails and `anew`, from afresh.
 
@@ -199,7 +196,7 @@ def solve_safely(
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
     iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
-    ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
+    ring, errors = ring_around(cosines.size, abreast), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
     for place in range(order.size):
         case = order[place]
@@ -230,12 +227,14 @@ def solve_safely(
 
 
 @kernel
-def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
+def solve_stepwise(
+    batch: Batch, moving: bool, abreast: bool, order: Order, work: Array, out: Output
+) -> None:
     """Solve cases one by one from a heavy load or from rest, step by step; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
     iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
-    ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
+    ring, errors = ring_around(cosines.size, abreast), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
     heavy = np.empty((p.shape[0], 1))
     for place in range(order.size):
@@ -255,12 +254,14 @@ def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: O
 
 
 @kernel
-def solve_past_edge(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
+def solve_past_edge(
+    batch: Batch, moving: bool, abreast: bool, order: Order, work: Array, out: Output
+) -> None:
     """Balance rings without the balls that have left their groove; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
     iterations, safe = out.iterations, out.safe_path
     cosines, sines = batch.cosines, batch.sines
-    ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
+    ring, errors = ring_around(cosines.size, abreast), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
     on_groove = np.empty(cosines.size)
     for place in range(order.size):
@@ -319,70 +320,26 @@ def solve_some(
     if not left.size:
         return
     work = np.full(left.size, most_work)
-    form(solve_safely)(batch, moving, left, True, work, out)
+    form(solve_safely)(batch, moving, fast, left, True, work, out)
     open_still = code[left] == status.NOT_CONVERGED
     if cautious is not None and open_still.any():
         again = left[open_still]
         for whole, part in zip((*out[:3], iterations), cautious, strict=True):
             whole[again] = part[open_still]
-        _try(form(solve_safely), batch, moving, (left, open_still, work), out, False)
+        _try(form(solve_safely), batch, moving, fast, (left, open_still, work), out, False)
         open_still = code[left] == status.NOT_CONVERGED
-    for factor in NEIGHBOURS:
-        if moving and open_still.any():
-            _from_neighbour(batch, factor, (left, open_still, work), out, fast, form)
-            open_still = code[left] == status.NOT_CONVERGED
     if open_still.any():
-        _try(form(solve_stepwise), batch, moving, (left, open_still, work), out)
+        _try(form(solve_stepwise), batch, moving, fast, (left, open_still, work), out)
     past = code[left] == status.OVER_SHOULDER
     if past.any():
-        _try(form(solve_past_edge), batch, moving, (left, past, work), out)
-
-
-def _from_neighbour(
-    batch: Batch,
-    factor: float,
-    cases: tuple[Order, NDArray[np.bool_], Array],
-    out: Output,
-    fast: bool,
-    form: Callable[[Kernel[..., None]], Callable[..., None]],
-) -> None:
-    """Balance some of the moving cases under their loads times a factor, and go on from there."""
-    order, which, work = cases
-    some, every = order[which], np.arange(np.count_nonzero(which))
-    near, pieces = _part(batch, some), list[Any](array[some] for array in out)
-    found = Output(*pieces)
-    near.duty[layout.APPLIED : layout.IMPOSED] *= factor
-    done = np.zeros(some.size, np.bool_)
-    if fast:
-        form(propose_moving)(near, every, True, False, done, found)
-    else:
-        own = SHARE * work[which]
-        work[which] -= own
-        found.iterations[:] = 0
-        form(solve_safely)(near, True, every, True, own, found)
-        done = found.number == status.CONVERGED
-    for whole, part in zip(out, found, strict=True):
-        whole[some[done]] = part[done]
-    out.number[some] = status.NOT_CONVERGED
-    from_there = which.copy()
-    from_there[which] = done
-    _try(form(solve_safely), batch, True, (order, from_there, work), out, False)
-
-
-def _part(batch: Batch, some: Order) -> Batch:
-    """Return some of the cases, copied."""
-    bearing, control = batch.bearing, batch.control
-    return batch._replace(
-        duty=batch.duty[:, some],
-        bearing=bearing if bearing.shape[1] == 1 else bearing[:, some],
-        control=control if control.shape[0] == 1 else control[some],
-    )
+        _try(form(solve_past_edge), batch, moving, fast, (left, past, work), out)
 
 
 def _try(
     kernel: Callable[..., None],
     batch: Batch,
     moving: bool,
+    abreast: bool,
     cases: tuple[Order, NDArray[np.bool_], Array],
     out: Output,
     *more: bool,
@@ -390,5 +347,5 @@ def _try(
     """Send some of the cases through a kernel: (all, which of them, the work that is left)."""
     order, which, work = cases
     own = work[which]
-    kernel(batch, moving, order[which], *more, own, out)
+    kernel(batch, moving, abreast, order[which], *more, own, out)
     work[which] = own

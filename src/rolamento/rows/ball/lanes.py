@@ -8,7 +8,7 @@ it is left for `robust`, and nothing here decides whether a result may be shown.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
+from math import inf, sqrt
 from typing import Any, Final
 
 import numpy as np
@@ -28,16 +28,24 @@ from rolamento.rows.ball.ball import (
     linearised_given,
     long_polynomial,
     polar_fast,
+    short_polynomial,
     towards_exact,
 )
 from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.layout import lanes
 from rolamento.rows.ball.mirror import Mirror
-from rolamento.rows.ball.settle import PLACE_SLACK
+from rolamento.rows.ball.settle import (
+    LONGEST,
+    NEWTON_STEPS,
+    PLACE_SLACK,
+    SHORTENED,
+    SHORTENINGS,
+)
 from rolamento.rows.ball.single import cage_part, changes_groove, is_rounding
 from rolamento.rows.ball.types import (
     Array,
     Coefficients,
+    Five,
     Linearised,
     Motion,
     Seven,
@@ -76,12 +84,16 @@ _LAG_BY_CAGE = lanes(layout.LAG_BY_CAGE)
 _FAULT, _ASTRAY, _SETTLED = (lanes(row) for row in (layout.FAULT, layout.ASTRAY, layout.SETTLED))
 _LAG_NOW, _PULL = lanes(layout.LAG_NOW), lanes(layout.PULL)
 _HEAVIEST, _UNSOUND = lanes(layout.HEAVIEST), lanes(layout.UNSOUND)
+_PRESSED = lanes(layout.PRESSED)
 _REGROUPED, _DOUBTFUL = lanes(layout.REGROUPED), lanes(layout.DOUBTFUL)
 _UNBALANCED, _BEHIND = lanes(layout.UNBALANCED), lanes(layout.BEHIND)
 _LOADED, _STEPS = lanes(layout.LOADED), lanes(layout.STEPS)
 _CAUTION = lanes(layout.CAUTION)
 _ERROR, _SCALE = lanes(layout.ERROR), lanes(layout.SCALE)
 _OFF, _LOST_WAY = lanes(layout.OFF), lanes(layout.LOST_WAY)
+_KEPT1, _KEPT2, _ONWARD1, _ONWARD2 = (lanes(layout.KEPT + i) for i in range(4))
+_MISS, _PART, _TRIED, _TAKEN, FATE = (lanes(layout.MISS + i) for i in range(5))
+OPEN, SETTLED_BALL, FAILED = 0.0, 1.0, 2.0
 _INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
 _ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
@@ -206,7 +218,7 @@ def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
 
 
 _groove_fast, groove_exact = inline_fast(_groove), inline_exact(_groove)
-_coefficients_fast = inline_fast(_coefficients)
+_coefficients_fast, _coefficients_exact = inline_fast(_coefficients), inline_exact(_coefficients)
 _motion_fast, _motion_exact = inline_fast(_motion), inline_exact(_motion)
 _control_fast, _control_exact = inline_fast(_control), inline_exact(_control)
 
@@ -304,6 +316,13 @@ def start_cage(w: Array, part: float) -> None:
 
 
 @inline_exact
+def _put(k: Array, contact: np.uintp, i: int, c: float, stiffness: Two) -> None:
+    """Write cos a, K and dK/d(cos a) of a contact."""
+    k[contact + i] = c
+    k[contact + N + i], k[contact + _TWO * N + i] = stiffness
+
+
+@inline_exact
 def _take(k: Array, contact: np.uintp, i: int, coefficient: float) -> None:
     """Take one coefficient more of K, the next lower."""
     value, slope = contact + N + i, contact + _TWO * N + i
@@ -321,26 +340,72 @@ def evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
     for i in range(N):
         a1, a2 = groove_exact(w, b, i)
         x1, x2 = b[_X1 + i], b[_X2 + i]
-        _, k[_OUTER + i], _, _ = towards_exact(x1, x2)
-        _, k[_INNER + i], _, _ = towards_exact(a1 - x1, a2 - x2)
-        k[_OUTER + N + i], k[_OUTER + _TWO * N + i] = 0.0, 0.0
-        k[_INNER + N + i], k[_INNER + _TWO * N + i] = 0.0, 0.0
-    if p.shape[1] > 1:
-        for power in range(layout.COEFFICIENTS - 1, -1, -1):
-            row = np.uintp(power) * N
-            for i in range(N):
-                _take(k, _OUTER, i, w[_K_O + row + i])
-                _take(k, _INNER, i, w[_K_I + row + i])
-        return
+        _, c_o, _, _ = towards_exact(x1, x2)
+        _, c_i, _, _ = towards_exact(a1 - x1, a2 - x2)
+        _put(k, _OUTER, i, c_o, short_polynomial(c_o, _coefficients_exact(w, _K_O, i)))
+        _put(k, _INNER, i, c_i, short_polynomial(c_i, _coefficients_exact(w, _K_I, i)))
     count = int(p[layout.TERMS - layout.DUTY, 0])
+    if p.shape[1] > 1 or count == layout.COEFFICIENTS:
+        return
+    for i in range(N):
+        _put(k, _OUTER, i, k[_OUTER + i], (0.0, 0.0))
+        _put(k, _INNER, i, k[_INNER + i], (0.0, 0.0))
     outer, inner = layout.OUTER_STIFFNESS, layout.INNER_STIFFNESS
-    if count > layout.COEFFICIENTS:
-        outer, inner = long_polynomial(outer), long_polynomial(inner)
+    outer, inner = long_polynomial(outer), long_polynomial(inner)
     for power in range(count - 1, -1, -1):
         of_outer, of_inner = p[outer - layout.DUTY + power, 0], p[inner - layout.DUTY + power, 0]
         for i in range(N):
             _take(k, _OUTER, i, of_outer)
             _take(k, _INNER, i, of_inner)
+
+
+@inline_exact
+def _take_in(
+    w: Array,
+    i: int,
+    c: float,
+    s: float,
+    bears: float,
+    force: Three,
+    stiffness: Six,
+    drive: Seven,
+    before: Five,
+) -> None:
+    """Add to the sums what a ball asks of ring and cage.
+
+    One that nothing touches asks for nothing, and its derivatives are NaN.
+    """
+    f1, f2, h = force
+    k11, k12, k21, k22, h1, h2 = stiffness
+    c1, c2, hc, lag, lag1, lag2, lag_c = drive
+    n1, n2, nh, lag_now, pull = before
+    drive = (
+        _if(bears, c1), _if(bears, c2), _if(bears, hc), _if(bears, lag), _if(bears, lag1),
+        _if(bears, lag2), _if(bears, lag_c),
+    )  # fmt: skip
+    _add_to_cage_exact(w, i, c, s, drive)
+    w[_PULL + i] += _if(bears, pull)
+    _add_force_exact(w, _NX, i, c, s, (_if(bears, n1), _if(bears, n2), _if(bears, nh)))
+    w[_LAG_NOW + i] += _if(bears, lag_now)
+    force = (_if(bears, f1), _if(bears, f2), _if(bears, h))
+    stiffness = (
+        _if(bears, k11), _if(bears, k12), _if(bears, k21), _if(bears, k22), _if(bears, h1),
+        _if(bears, h2),
+    )  # fmt: skip
+    _add_to_ring_exact(w, i, c, s, force, stiffness)
+
+
+@inline_exact
+def _given(w: Array, b: Array, k: Array, i: int, a1: float, a2: float) -> Linearised:
+    """`ball.linearised` in exact arithmetic; k: as `evaluate_stiffness` writes it."""
+    outer = (w[_L_O + i], (k[_OUTER + N + i], k[_OUTER + _TWO * N + i]))
+    inner = (w[_L_I + i] + b[_OFF + i], (k[_INNER + N + i], k[_INNER + _TWO * N + i]))
+    cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+    sigma, lambda_i = _control_exact(w, b, i)
+    ball: Linearised = linearised_given(
+        a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_exact(w, i), cage, sigma, lambda_i
+    )
+    return ball
 
 
 @filling
@@ -352,13 +417,7 @@ def judge_ball(w: Array, b: Array, k: Array) -> None:
     for i in range(N):
         a1, a2 = groove_exact(w, b, i)
         x1, x2, l_o = b[_X1 + i], b[_X2 + i], w[_L_O + i]
-        outer = (l_o, (k[_OUTER + N + i], k[_OUTER + _TWO * N + i]))
-        inner = (w[_L_I + i] + b[_OFF + i], (k[_INNER + N + i], k[_INNER + _TWO * N + i]))
-        cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
-        sigma, lambda_i = _control_exact(w, b, i)
-        residual, _, force, stiffness, scale, touch, drive, before = linearised_given(
-            a1, a2, x1, x2, inner, outer, _motion_exact(w, i), cage, sigma, lambda_i
-        )
+        residual, _, force, stiffness, scale, touch, drive, before = _given(w, b, k, i, a1, a2)
         load, c_i, c_o, approach, s_i = touch
         b[_ERROR + i] = sqrt(residual[0] ** 2 + residual[1] ** 2)
         b[_SCALE + i] = scale
@@ -381,26 +440,81 @@ def judge_ball(w: Array, b: Array, k: Array) -> None:
         outer_edge = 0.0 if c_o > w[_OUTER_EDGE + i] else bears
         w[_UNSOUND + i] = max(w[_UNSOUND + i], max(max(wrong, unheld), max(inner_edge, outer_edge)))
 
-        # a ball that nothing touches asks for nothing, and its derivatives are NaN
-        f1, f2, h = force
-        k11, k12, k21, k22, h1, h2 = stiffness
-        c1, c2, hc, lag, lag1, lag2, lag_c = drive
-        n1, n2, nh, lag_now, pull = before
-        c, s = b[_COS + i], b[_SIN + i]
-        drive = (
-            _if(bears, c1), _if(bears, c2), _if(bears, hc), _if(bears, lag), _if(bears, lag1),
-            _if(bears, lag2), _if(bears, lag_c),
-        )  # fmt: skip
-        _add_to_cage_exact(w, i, c, s, drive)
-        w[_PULL + i] += _if(bears, pull)
-        _add_force_exact(w, _NX, i, c, s, (_if(bears, n1), _if(bears, n2), _if(bears, nh)))
-        w[_LAG_NOW + i] += _if(bears, lag_now)
-        force = (_if(bears, f1), _if(bears, f2), _if(bears, h))
-        stiffness = (
-            _if(bears, k11), _if(bears, k12), _if(bears, k21), _if(bears, k22), _if(bears, h1),
-            _if(bears, h2),
-        )  # fmt: skip
-        _add_to_ring_exact(w, i, c, s, force, stiffness)
+        _take_in(w, i, b[_COS + i], b[_SIN + i], bears, force, stiffness, drive, before)
+
+
+@filling
+def begin_settling(b: Array, balls: int) -> None:
+    """Begin to settle the balls in the first lanes; the others are none."""
+    for i in range(N):
+        b[_KEPT1 + i], b[_KEPT2 + i] = b[_X1 + i], b[_X2 + i]
+        b[_ONWARD1 + i], b[_ONWARD2 + i] = 0.0, 0.0
+        b[_MISS + i], b[_PART + i] = inf, 1.0
+        b[_TRIED + i], b[_TAKEN + i] = 0.0, 0.0
+        b[FATE + i] = OPEN if i < balls else FAILED
+
+
+@filling
+def settle_in_lane(w: Array, b: Array, k: Array, near: float) -> None:
+    """One trial of `settle`'s Newton's method for each ball that is open still.
+
+    k: of its contacts where it is, as `evaluate_stiffness` writes it; near: as of `settle`.
+    """
+    for i in range(N):
+        a1, a2 = groove_exact(w, b, i)
+        residual, follow, _, _, scale, _, _, _ = _given(w, b, k, i, a1, a2)
+        trial = sqrt(residual[0] ** 2 + residual[1] ** 2)
+        better = 1.0 if trial < b[_MISS + i] else 0.0
+        longest = LONGEST * w[_L_O + i]
+        length = sqrt(follow[0] * follow[0] + follow[1] * follow[1])
+        part = longest / length if length > longest else 1.0
+        part = part if better > 0.0 else SHORTENED * b[_PART + i]
+        kept1 = b[_X1 + i] if better > 0.0 else b[_KEPT1 + i]
+        kept2 = b[_X2 + i] if better > 0.0 else b[_KEPT2 + i]
+        onward1 = follow[0] if better > 0.0 else b[_ONWARD1 + i]
+        onward2 = follow[1] if better > 0.0 else b[_ONWARD2 + i]
+        taken = b[_TAKEN + i] + better
+        tried = 0.0 if better > 0.0 else b[_TRIED + i] + 1.0
+        rest = trial - near * scale
+        there = 1.0 if is_rounding(w[_L_O + i], w[_K_S + i], rest, scale) else 0.0
+        there = there if better > 0.0 else 0.0
+        fate = FAILED if max(tried - SHORTENINGS, taken - NEWTON_STEPS) >= 0.0 else OPEN
+        fate = SETTLED_BALL if there > 0.0 else fate
+        open_still = b[FATE + i] == OPEN
+        b[_MISS + i] = (trial if better > 0.0 else b[_MISS + i]) if open_still else b[_MISS + i]
+        b[_PART + i], b[_TRIED + i], b[_TAKEN + i] = part, tried, taken
+        b[_KEPT1 + i] = kept1 if open_still else b[_KEPT1 + i]
+        b[_KEPT2 + i] = kept2 if open_still else b[_KEPT2 + i]
+        b[_ONWARD1 + i], b[_ONWARD2 + i] = onward1, onward2
+        fate = fate if open_still else b[FATE + i]
+        b[_X1 + i] = kept1 + part * onward1 if fate == OPEN else b[_KEPT1 + i]
+        b[_X2 + i] = kept2 + part * onward2 if fate == OPEN else b[_KEPT2 + i]
+        b[FATE + i] = fate
+
+
+@filling
+def sum_settled(w: Array, b: Array, k: Array) -> None:
+    """Add up what the settled balls ask of ring and cage, and take each ball's last step.
+
+    One that this takes where no ball can be has failed. k: as of `settle_in_lane`.
+    """
+    for i in range(N):
+        a1, a2 = groove_exact(w, b, i)
+        _, follow, force, stiffness, scale, touch, drive, before = _given(w, b, k, i, a1, a2)
+        x1, x2 = b[_X1 + i] + follow[0], b[_X2 + i] + follow[1]
+        slack = PLACE_SLACK * w[_L_O + i]
+        side = 1.0 if a1 >= 0.0 else -1.0
+        placed = 1.0 if min(side * x1, side * (a1 - x1)) >= -slack else 0.0
+        placed = placed if x2 > 0.0 else 0.0
+        fate = b[FATE + i] if placed > 0.0 else FAILED
+        bears = scale if fate == SETTLED_BALL else 0.0
+        b[FATE + i] = fate
+        b[_X1 + i], b[_X2 + i], b[_Z1 + i], b[_Z2 + i] = x1, x2, follow[6], follow[7]
+        b[_W11 + i], b[_W12 + i] = follow[2], follow[3]
+        b[_W21 + i], b[_W22 + i] = follow[4], follow[5]
+        w[_PRESSED + i] += _if(bears, touch[0])
+        w[_HEAVIEST + i] = max(w[_HEAVIEST + i], _if(bears, scale))
+        _take_in(w, i, b[_COS + i], b[_SIN + i], bears, force, stiffness, drive, before)
 
 
 @filling

@@ -81,7 +81,8 @@ UNSOUND: Final = HEAVIEST + 1  # above zero where a ball stands or bears as none
 REGROUPED: Final = UNSOUND + 1  # above zero where a ball leaves the inner groove or comes back
 DOUBTFUL: Final = REGROUPED + 1  # above zero where a ball's residual is worse than the ring's
 ASTRAY: Final = DOUBTFUL + 1  # above zero where a ball has left the place where it can be
-SUMS: Final = ASTRAY + 1 - REACTION  # all of these, over the balls
+PRESSED: Final = ASTRAY + 1  # sum of Q_i
+SUMS: Final = PRESSED + 1 - REACTION  # all of these, over the balls
 UNBALANCED: Final = REACTION + SUMS  # the ring's greatest unbalanced load, over its loads
 LOADED: Final = UNBALANCED + 1  # the greatest of its loads
 BEHIND: Final = LOADED + 1  # what the cage is behind its drive, over the rings' speeds
@@ -101,6 +102,15 @@ SCALE: Final = FOLLOW + 1  # and the greatest of its own loads
 OFF: Final = FOLLOW + 8  # 0 on the inner groove, far where the ball is off it and nothing presses
 LOST_WAY: Final = OFF + 1  # above zero where it has left the place where it can be
 BALL_ROWS: Final = LOST_WAY + 1
+# of one that is settled by itself (`abreast`):
+KEPT: Final = BALL_ROWS  # its place so far, X1, X2
+ONWARD: Final = KEPT + 2  # Newton's step from there
+MISS: Final = ONWARD + 2  # the residual there
+PART: Final = MISS + 1  # of the step that is tried
+TRIED: Final = PART + 1  # how often it was shortened
+TAKEN: Final = TRIED + 1  # steps
+FATE: Final = TAKEN + 1  # whether it has settled
+SETTLING_ROWS: Final = FATE + 1
 
 
 def long_polynomial(row: int) -> int:

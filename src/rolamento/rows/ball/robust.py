@@ -16,8 +16,9 @@ import numpy as np
 from rolamento.numerics.compiled import shared
 from rolamento.numerics.dense import solve_dense
 from rolamento.rows.ball import layout
+from rolamento.rows.ball.abreast import fill, settle_abreast
 from rolamento.rows.ball.accept import max_with_nan
-from rolamento.rows.ball.settle import settle
+from rolamento.rows.ball.settle import NEAR, settle, settle_otherwise
 from rolamento.rows.ball.single import (
     OneCase,
     Ring,
@@ -33,7 +34,7 @@ from rolamento.rows.ball.single import (
 from rolamento.rows.ball.types import Array
 from rolamento.status import GREATEST_APPROACH, NO_EQUILIBRIUM, OVERLOADED
 
-RING_STEPS: Final = 60
+RING_STEPS: Final = 100
 SHORTENINGS: Final = 25
 PRECISION: Final = 1e-11
 CAGE_STEPS: Final = 40
@@ -43,8 +44,15 @@ NEAR_BALANCE: Final = 1e-3
 """Fraction of the loads: what is unbalanced where the ring's step need not be downhill. Where the
 rings turn against each other, or the balls push the ring off, an equilibrium need not be a
 minimum."""
-NEAR_CAGE: Final = 1e-4
-"""Residual of the cage that is left to its step along with the ring's."""
+LOOSE: Final = 1e-2
+"""Of the ring's unbalanced part: what may be left unbalanced of a ball, whose last step squares it,
+while the ring is on its way."""
+FARTHER, AFTER_RETREAT = 3.0, 2.0
+"""Times the ring's last step: how far the next may go at first, where the last was not shortened
+and where it was."""
+NEAR_CAGE, LOOSE_CAGE = 1e-4, 1e-2
+"""Residual of the cage that is left to its step along with the ring's: of a ring near balance, and
+at most."""
 BALANCED_CAGE: Final = 1e-6
 """And at the end: the step squares it."""
 FOLLOWS, FOLLOWS_TIMIDLY = 0.2, 0.02
@@ -54,23 +62,32 @@ another."""
 
 
 @shared
-def _settle_balls(one: OneCase, cage: float) -> tuple[bool, float]:
+def _settle_balls(one: OneCase, cage: float, near: float) -> tuple[bool, float]:
     """Settle every ball, from and into x, at the places of the ring and the speed of the cage.
 
-    Sums up what they ask of ring and cage. Returns (whether all settled, the greatest load of a
-    ball); stops at one that does not settle.
+    near: as of `settle`. Sums up what they ask of ring and cage. Returns (whether all settled, the
+    greatest load of a ball); stops at one that does not settle.
     """
     p, case, moving, ring = one.p, one.case, one.moving, one.ring
     control, cosines, sines, u, x = one.control, one.cosines, one.sines, one.u, one.x
     empty_ring(p, case, cage, ring)
-    greatest = 0.0
+    greatest, abreast = 0.0, moving and ring.b.shape[0] > 0
+    if abreast:
+        greatest = settle_abreast(one, cage, near)
     for j in range(cosines.size):
+        if abreast and ring.left[j] == 0.0:
+            continue
         c, s = direction(p, case, cosines[j], sines[j])
         a1, a2 = groove(p, case, u, c, s)
         if moving:
-            found, x[j, 0], x[j, 1], ball = settle(
-                p, case, cage, control[j], a1, a2, x[j, 0], x[j, 1], ring.work
-            )
+            if abreast:
+                found, x[j, 0], x[j, 1], ball = settle_otherwise(
+                    p, case, cage, control[j], a1, a2, near, ring.work
+                )
+            else:
+                found, x[j, 0], x[j, 1], ball = settle(
+                    p, case, cage, control[j], a1, a2, x[j, 0], x[j, 1], near, ring.work
+                )
             if not found or ring.work[0] < 0.0:
                 return False, greatest
             _, follow, force, stiffness, scale, touch, drive, before = ball
@@ -88,13 +105,14 @@ def _settle_balls(one: OneCase, cage: float) -> tuple[bool, float]:
         ring.load[0] += touch[0]
         greatest = max(greatest, scale)
         add_to_ring(ring, c, s, force, stiffness)
-    return True, greatest
+    return not abreast or ring.work[0] >= 0.0, greatest
 
 
 @shared
-def evaluate(one: OneCase, cage: float) -> tuple[bool, float, float, float]:
+def evaluate(one: OneCase, cage: float, error: float) -> tuple[bool, float, float, float]:
     """Bring balls and cage into balance at the ring's place u; sum up what they ask of the ring.
 
+    error: what was last unbalanced of the ring's loads, as well as that deserves.
     Returns (whether they are, the greatest load of a ball, the cage's speed, its residual before
     the last step). The ring's force and stiffness are those with balls and cage following.
     """
@@ -102,8 +120,10 @@ def evaluate(one: OneCase, cage: float) -> tuple[bool, float, float, float]:
     inner, outer = p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case]
     slowest, fastest = min(inner, outer), max(inner, outer)
     greatest, behind = 0.0, np.inf
+    near_ball = max(NEAR, LOOSE * min(error, 1.0))
+    near_cage = max(NEAR_CAGE, LOOSE_CAGE * min(error, 1.0))
     for _ in range(CAGE_STEPS if moving else 1):
-        settled, greatest = _settle_balls(one, cage)
+        settled, greatest = _settle_balls(one, cage, near_ball)
         if not (settled and moving) or ring.lag_by_cage[0] == 0.0:
             return settled, greatest, cage, 0.0
         behind = cage_part(ring.lag[0], ring.pull[0], inner, outer)
@@ -112,7 +132,7 @@ def evaluate(one: OneCase, cage: float) -> tuple[bool, float, float, float]:
         else:
             fastest = cage
         speed = cage - ring.lag[0] / ring.lag_by_cage[0]
-        near = behind <= NEAR_CAGE
+        near = behind <= near_cage
         if not (slowest < speed < fastest or near):
             speed = 0.5 * (slowest + fastest)
         for j in range(len(x)):
@@ -193,29 +213,38 @@ def _dot(a: Array, b: Array) -> float:
 
 @shared
 def _line_search(
-    one: OneCase, cage: float, step: Array, slope: float, unbalanced: Array
-) -> tuple[bool, float, float, float]:
+    one: OneCase,
+    cage: float,
+    error: float,
+    reach: float,
+    step: Array,
+    slope: float,
+    unbalanced: Array,
+) -> tuple[bool, float, float, float, float]:
     """Move the ring along the step until it does not overshoot by much, balls and cage with it.
 
-    slope: the unbalanced load along the step, at its start. A ring that has lost all its balls
-    has overshot, however small the load that is left unbalanced. Returns what `evaluate` does.
+    error: as of `evaluate`; reach: how far it may go at first; slope: the unbalanced load along the
+    step, at its start. A ring that has lost all its balls has overshot, however small the load that
+    is left unbalanced. Returns what `evaluate` does, and the reach of the next step.
     """
     p, case, moving, ring = one.p, one.case, one.moving, one.ring
     cosines, sines, u, x = one.cosines, one.sines, one.u, one.x
-    reach = 0.3 * (p[layout.INNER_LENGTH, case] + p[layout.OUTER_LENGTH, case])
-    part = min(1.0, reach / sqrt(_dot(step, step)))
+    longest = 0.3 * (p[layout.INNER_LENGTH, case] + p[layout.OUTER_LENGTH, case])
+    length = sqrt(_dot(step, step))
+    part = min(1.0, min(reach, longest) / length)
     touched = ring.load[0] > 0.0
     near, ahead_near = 0.0, slope
     from_u, from_x, from_cage, follow = u.copy(), x.copy(), cage, ring.follow.copy()
     slowest = min(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
     fastest = max(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
     against = p[layout.INNER_SPEED, case] * p[layout.OUTER_SPEED, case] < 0.0
-    farthest = reach * (FOLLOWS_TIMIDLY if against else FOLLOWS)
+    farthest = longest * (FOLLOWS_TIMIDLY if against else FOLLOWS)
     drift = 0.0  # of the cage, along with the ring
     if moving and ring.lag_by_cage[0] != 0.0:
         drift = -_dot(ring.lag_by_ring, step) / ring.lag_by_cage[0]
     settled, greatest, behind = False, 0.0, 0.0
-    for _ in range(SHORTENINGS):
+    for trial in range(SHORTENINGS):
+        reach = part * length * (FARTHER if trial == 0 else AFTER_RETREAT)
         for i in range(u.size):
             u[i] = from_u[i] + part * step[i]
         change = part * drift
@@ -229,7 +258,7 @@ def _line_search(
             follows = moving and sqrt(dx1 * dx1 + dx2 * dx2) < farthest
             x[j, 0] = from_x[j, 0] + (dx1 if follows else 0.0)
             x[j, 1] = from_x[j, 1] + (dx2 if follows else 0.0)
-        settled, greatest, cage, behind = evaluate(one, from_cage + change)
+        settled, greatest, cage, behind = evaluate(one, from_cage + change, error)
         if ring.work[0] < 0.0:
             break
         if not settled:
@@ -244,7 +273,7 @@ def _line_search(
             break
         share = 0.5 if lost else min(max(ahead_near / (ahead_near - ahead), 0.1), 0.6)
         part = near + share * (part - near)
-    return settled, greatest, cage, behind
+    return settled, greatest, cage, behind, reach
 
 
 @shared
@@ -258,8 +287,10 @@ def solve_robust(one: OneCase, start: float) -> tuple[bool, int, int, float]:
     p, case, u, ring = one.p, one.case, one.u, one.ring
     unbalanced, step = np.zeros(5), np.zeros(5)
     ring.follow[:] = 0.0  # of another case, where a ball of this one does not settle at once
-    damping, nearest = 0.0, np.inf
-    settled, greatest, cage, behind = evaluate(one, start)
+    damping, nearest, reach = 0.0, np.inf, np.inf
+    if one.moving and ring.b.shape[0] > 0:
+        fill(one)
+    settled, greatest, cage, behind = evaluate(one, start, 0.0)
     for iteration in range(1, RING_STEPS + 1):
         error, scale = _unbalance(p, case, ring.reaction, greatest, unbalanced)
         balanced = settled and error <= PRECISION * scale
@@ -268,7 +299,7 @@ def solve_robust(one: OneCase, start: float) -> tuple[bool, int, int, float]:
         if not error < np.inf or damping > MOST_DAMPING or ring.work[0] < 0.0:
             break
         if balanced:  # but for the cage
-            settled, greatest, cage, behind = evaluate(one, cage)
+            settled, greatest, cage, behind = evaluate(one, cage, 0.0)
             continue
         for i in range(layout.DEGREES_OF_FREEDOM):
             if abs(u[i]) > p[layout.BALL_DIAMETER, case]:
@@ -280,7 +311,9 @@ def solve_robust(one: OneCase, start: float) -> tuple[bool, int, int, float]:
         if not (solvable and slope > 0.0):
             damping = max(100.0 * damping, LEAST_DAMPING)
             continue
-        settled, greatest, cage, behind = _line_search(one, cage, step, slope, unbalanced)
+        settled, greatest, cage, behind, reach = _line_search(
+            one, cage, error / scale, reach, step, slope, unbalanced
+        )
         if not settled:
             break
         damping = 0.01 * damping if damping > LEAST_DAMPING else 0.0

@@ -32,8 +32,8 @@ from rolamento.rows.ball.types import Output
 CHUNK: Final = 2048
 FEW: Final = 1
 """Cases that are solved without the compiler, if it has not been loaded yet."""
-MOST_WORK: Final = 4.0e5
-"""Evaluations of a ball that a case may cost beside the fast path: some 60 ms."""
+MOST_WORK: Final = 1.5e5
+"""Evaluations of a ball that a case may cost beside the fast path: some 30 ms."""
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
 LEAST_INERTIA: Final = 1e-7
@@ -194,9 +194,9 @@ def compile_all(p: Columns, control: Floats, balls: int) -> None:
     none, done, work = np.zeros(0, np.int64), np.zeros(0, np.bool_), np.zeros(0)
     ready(propose_moving)(batch, none, True, False, done, out)
     ready(propose_at_rest)(batch, none, done, out)
-    ready(solve_safely)(batch, True, none, True, work, out)
+    ready(solve_safely)(batch, True, True, none, True, work, out)
     for rarely in (solve_stepwise, solve_past_edge):
-        ready(rarely)(batch, True, none, work, out)
+        ready(rarely)(batch, True, True, none, work, out)
 
 
 def turns(p: Columns) -> NDArray[np.bool_]:

@@ -138,7 +138,7 @@ class Work(NamedTuple):
             column=np.zeros((parameters, 1)),
             own=np.zeros(five),
             transform=np.zeros((five, UNKNOWNS)),
-            ring=ring_around(balls),
+            ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
             contacts=np.zeros(6 * _LANES),

@@ -29,6 +29,11 @@ NEAR: Final = 1e-7
 PLACE_SLACK: Final = 1e-6
 """rad: a ball that hardly anything holds does not stand more exactly than this."""
 NEWTON_STEPS: Final = 20
+SHORTENINGS: Final = 4
+LONGEST: Final = 0.2
+"""Longest step of a ball, over L_o."""
+SHORTENED: Final = 0.3
+"""To which part a step that does not help is shortened."""
 BRACKET_STEPS: Final = 80
 IN_LINE: Final = 1e-3
 """sin(a_i - a_o) of a ball that the grooves press harder than its centrifugal force."""
@@ -68,21 +73,25 @@ def _newton(
     a2: float,
     x1: float,
     x2: float,
+    near: float,
     work: Array,
 ) -> Settled:
     """Newton's method with shortened steps; returns what `settle` does."""
-    longest = 0.2 * p[layout.OUTER_LENGTH, case]
+    longest = LONGEST * p[layout.OUTER_LENGTH, case]
     ball = linearised(p, case, cage, control, a1, a2, x1, x2)
     work[0] -= 1.0
     error = sqrt(ball[0][0] ** 2 + ball[0][1] ** 2)
     for _ in range(NEWTON_STEPS):
         step1, step2, scale = ball[1][0], ball[1][1], ball[4]
-        if error <= NEAR * scale + rounding(p, case, scale):
+        if error <= near * scale + rounding(p, case, scale):
             y1, y2 = x1 + step1, x2 + step2
-            return in_place(p, case, a1, y1, y2), y1, y2, ball
+            if in_place(p, case, a1, y1, y2):
+                return True, y1, y2, ball
+            if error <= NEAR * scale + rounding(p, case, scale):
+                return False, y1, y2, ball
         length = sqrt(step1 * step1 + step2 * step2)
         part = min(1.0, longest / length) if length > 0.0 else 1.0
-        for _ in range(4):
+        for _ in range(SHORTENINGS):
             y1 = x1 + part * step1
             y2 = x2 + part * step2
             ahead = linearised(p, case, cage, control, a1, a2, y1, y2)
@@ -90,7 +99,7 @@ def _newton(
             trial = sqrt(ahead[0][0] ** 2 + ahead[0][1] ** 2)
             if trial < error:
                 break
-            part *= 0.3
+            part *= SHORTENED
         if not trial < error:
             return False, x1, x2, ball
         x1, x2, ball, error = y1, y2, ahead, trial
@@ -179,7 +188,7 @@ def _bracketed(
         else:
             high = middle
         x1, x2 = reach * sin(middle), reach * cos(middle)
-        found, y1, y2, _ = _newton(p, case, cage, control, a1, a2, x1, x2, work)
+        found, y1, y2, _ = _newton(p, case, cage, control, a1, a2, x1, x2, NEAR, work)
         if found:
             return True, y1, y2
         if high - low <= 1e-15 or work[0] < 0.0:
@@ -216,6 +225,29 @@ def held_up(p: Array, case: int, cage: float, control: float, a1: float, a2: flo
 
 
 @filling
+def settle_otherwise(
+    p: Array,
+    case: int,
+    cage: float,
+    control: float,
+    a1: float,
+    a2: float,
+    near: float,
+    work: Array,
+) -> Settled:
+    """`settle` where Newton's method fails from the first guess."""
+    found, y1, y2 = free_ball(p, case, cage, control, a1, a2)
+    if not found:
+        side = 1.0 if a1 >= 0.0 else -1.0
+        y1, y2 = held_up(p, case, cage, control, side * a1, a2)
+        found, y1, y2, _ = _newton(p, case, cage, control, side * a1, a2, y1, y2, near, work)
+        if not found:
+            found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
+        y1 *= side
+    return found, y1, y2, linearised(p, case, cage, control, a1, a2, y1, y2)
+
+
+@filling
 def settle(
     p: Array,
     case: int,
@@ -225,22 +257,16 @@ def settle(
     a2: float,
     x1: float,
     x2: float,
+    near: float,
     work: Array,
 ) -> Settled:
     """Find a moving ball's place from a first guess: whether found, X1, X2, the ball there.
 
-    The ball is as it was before the last step, which leaves next to nothing of its residual. work
-    (1,): evaluations of a ball that may still be spent, counted down.
+    The ball is as it was before the last step, which about squares its residual, over its loads;
+    near: that residual, `NEAR` or more. work (1,): evaluations of a ball that may still be spent,
+    counted down.
     """
-    found, y1, y2, ball = _newton(p, case, cage, control, a1, a2, x1, x2, work)
+    found, y1, y2, ball = _newton(p, case, cage, control, a1, a2, x1, x2, near, work)
     if found:
         return True, y1, y2, ball
-    found, y1, y2 = free_ball(p, case, cage, control, a1, a2)
-    if not found:
-        side = 1.0 if a1 >= 0.0 else -1.0
-        y1, y2 = held_up(p, case, cage, control, side * a1, a2)
-        found, y1, y2, _ = _newton(p, case, cage, control, side * a1, a2, y1, y2, work)
-        if not found:
-            found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
-        y1 *= side
-    return found, y1, y2, linearised(p, case, cage, control, a1, a2, y1, y2)
+    return settle_otherwise(p, case, cage, control, a1, a2, near, work)

@@ -49,6 +49,8 @@ class Ring(NamedTuple):
     derivatives; pull (1,): the sum of h Q_i. load (1,): the sum of Q_i.
     follow (balls, 6): W by rows and z, with which a ball follows its groove and the cage.
     work (1,): evaluations of a ball that may still be spent.
+    w (layout.RING_ROWS * LANES), b (blocks, layout.SETTLING_ROWS * LANES), k (6 * LANES), left
+    (balls,): room for balls that are settled abreast; no blocks where they are not.
     """
 
     reaction: Array
@@ -62,6 +64,10 @@ class Ring(NamedTuple):
     now: Array
     follow: Array
     work: Array
+    w: Array
+    b: Array
+    k: Array
+    left: Array
 
 
 class OneCase(NamedTuple):
@@ -86,11 +92,15 @@ class OneCase(NamedTuple):
 
 
 @shared
-def ring_around(balls: int) -> Ring:
-    """Make room for the sums over so many balls."""
+def ring_around(balls: int, abreast: bool) -> Ring:
+    """Make room for the sums over so many balls, and to settle them abreast or not."""
+    lanes = layout.LANES
+    blocks = (balls + lanes - 1) // lanes if abreast else 0
     return Ring(
         np.zeros(5), np.zeros((5, 5)), np.zeros(5), np.zeros(1), np.zeros(5), np.zeros(1),
         np.zeros(1), np.zeros(1), np.zeros(5), np.zeros((balls, 6)), np.zeros(1),
+        np.zeros(layout.RING_ROWS * lanes if abreast else 0),
+        np.zeros((blocks, layout.SETTLING_ROWS * lanes)), np.zeros(6 * lanes), np.zeros(balls),
     )  # fmt: skip
 
 
