@@ -357,6 +357,15 @@ def test_an_input_is_never_written_over(tmp_path: Path) -> None:
     assert case.read_bytes() == before
 
 
+def test_an_empty_title_block_is_none() -> None:
+    """As a script writes it whose variable is empty; an empty case is still missing."""
+    run = CliRunner().invoke(app, ["report", example("218_combined"), "--author", "", "--date", ""])
+    assert run.exit_code == 0, run.output
+    run = CliRunner().invoke(app, ["report", ""])
+    assert run.exit_code == 2
+    assert "is missing" in run.output
+
+
 def test_json_of_the_command() -> None:
     run = CliRunner().invoke(app, ["report", example("218_combined"), "--json"])
     assert run.exit_code == 0

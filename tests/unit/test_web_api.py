@@ -23,6 +23,7 @@ from rolamento.tasks.batch import MOST_CASES, batch
 from rolamento.units import SI_UNIT
 from rolamento.web import api, drops
 from rolamento.web.openapi import openapi_document
+from rolamento.web.requests import EXAMPLE_MACHINE
 from rolamento.web.server import Settings, create_app
 
 HERE = "http://127.0.0.1:8000"
@@ -156,6 +157,7 @@ def test_a_shaft_has_a_life(tmp_path: Path) -> None:
     same(post("/life", {"bearings": asked}), command("life", *files))
     wrong = [asked[0], {"designation": "6310"}]
     assert "bearings.1" in refusal("/life", {"bearings": wrong})["message"]
+    assert refusal("/life", {"bearings": asked[:1]})["field"] == "bearings"
     both = {"bearings": asked, "designation": "6310"}
     assert refusal("/life", both)["field"] == "bearings"
 
@@ -171,6 +173,33 @@ def test_weibull_is_that_of_the_command_line(tmp_path: Path) -> None:
     for own in ("title", "source"):
         found.pop(own), wanted.pop(own)
     same(found, wanted)
+
+
+def test_names_are_as_they_are_given() -> None:
+    """No mark in a name of a list, or of a calculated life, stands between two of them."""
+    test = {"times": [17.0, 28.0, 33.0, 45.0, 51.0, 60.0], "group": ["A;B"] * 3 + ["C"] * 3}
+    lives = {"a;b": 30, "a=b": "31 h", "": 32.0}
+    asked = {"test": test, "samples": 100, "only": ["A;B"], "calculated": lives}
+    (group,) = post("/weibull", asked)["groups"]
+    found = {name: one["calculated"] for name, one in group["calculated"].items()}
+    assert found == {"a;b": 30.0, "a=b": 31.0, "": 32.0}
+    asked = {"test": {**test, "unit": ""}, "samples": 100, "calculated": {"x": 30}}
+    assert post("/weibull", asked)["groups"][0]["calculated"]["x"]["calculated"] == 30.0
+
+
+def test_numbers_and_texts_are_told_apart() -> None:
+    """A count may be written as JSON has it, 3.0; a name is no number."""
+    asked = {"designation": "6205", "speed": "1797 rpm"}
+    wanted = post("/frequencies", {**asked, "sidebands": 2, "harmonics": 3})
+    assert post("/frequencies", {**asked, "sidebands": 2.0, "harmonics": 3.0}) == wanted
+    machine = {"machine": EXAMPLE_MACHINE, "points": 2, "modes": 1}
+    for name in ("speeds", "shaft"):
+        error = refusal("/rotor", {**machine, name: 1})
+        assert (error["field"], error["rule"]) == (name, "must be text")
+    lives = {"times": [1.0, 2.0, 3.0], "mode": ["3", "3", "4"]}
+    assert refusal("/weibull", {"test": lives, "only_mode": 3})["field"] == "only_mode"
+    wanted = post("/rotor", {**machine, "points": 2.0, "modes": 1.0})
+    assert wanted == post("/rotor", {**machine, "orders": []})
 
 
 def test_the_catalogue_is_that_of_the_command_line() -> None:

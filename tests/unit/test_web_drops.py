@@ -303,11 +303,12 @@ CASE = {
 @pytest.mark.parametrize(("form", "begins"), [("txt", b"Bearing calculation"), ("json", b"{")])
 def test_a_report_of_two_cases_is_a_file(form: str, begins: bytes) -> None:
     other = {**CASE, "duty": {**CASE["duty"], "inner_speed": "3000 rpm"}}
-    asked = {"cases": [CASE, other], "format": "txt", "head": {"author": "A. Souza"}}
+    head = {"author": "A. Souza", "project": None}
+    asked = {"cases": [CASE, other], "format": form, "head": head}
     answer = ask("POST", "/page/report?lang=en", json=asked, headers={"origin": HERE})
     assert answer.status_code == 200, answer.text
-    assert answer.text.startswith("Bearing calculation report: comparison of 2 cases")
-    assert answer.headers["content-disposition"].endswith('.txt"')
+    assert answer.content.startswith(begins)
+    assert answer.headers["content-disposition"].endswith(f'.{form}"')
     assert b"A. Souza" in answer.content
 
 
@@ -319,6 +320,10 @@ def test_a_report_of_two_cases_is_a_file(form: str, begins: bytes) -> None:
         ("format", {"cases": [CASE], "format": "exe"}),
         ("bearing.designation", {"cases": [{"bearing": {"designation": "x"}}]}),
         ("head", {"cases": [CASE], "head": [1]}),
+        ("changes", {"cases": [CASE], "head": {"changes": {"duty.load.fz": "9 kN"}}}),
+        ("case", {"cases": [CASE], "head": {"case": "/etc/hostname"}}),
+        ("output", {"cases": [CASE], "head": {"output": "/tmp/report.html"}}),
+        ("names", {"cases": [CASE], "head": {"names": ["A"]}}),
     ],
 )
 def test_a_report_of_what_is_no_case_is_refused(field: str, asked: dict[str, Any]) -> None:

@@ -15,7 +15,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.io.writing import write_bytes
 from rolamento.records import frozen
 from rolamento.validate import one_of
-from rolamento.words import marked, said
+from rolamento.words import said
 from rolamento.words.naming import listed
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ class Outputs:
         """Return the files by their options, for `check_outputs`."""
         return {"--report": self.report, "--csv": self.csv, "--xlsx": self.xlsx}
 
-    def check(self, others: Mapping[str, str | None], *read: str | None, **rule: str) -> None:
+    def check(self, others: Mapping[str, str | None], *read: str | None) -> None:
         """Refuse options that say nothing, marks that are none, and files as `check_outputs`.
 
         others: the files of further options.
@@ -102,7 +102,7 @@ class Outputs:
             if value is not None and needed is None:
                 raise InputError(said("needs {option}", option="--csv"), source=option)
         self._marks()
-        check_outputs({**others, **self.files()}, *read, **rule)
+        check_outputs({**others, **self.files()}, *read)
 
     @property
     def has_tables(self) -> bool:
@@ -182,11 +182,7 @@ OUTPUT_OPTIONS: Final = tuple(one.name for one in fields(Outputs))
 """The names of their parameters, for the groups of a help."""
 
 
-def check_outputs(
-    outputs: Mapping[str, str | None],
-    *read: str | None,
-    rule: str = marked("is one of the input files; choose another name"),
-) -> None:
+def check_outputs(outputs: Mapping[str, str | None], *read: str | None) -> None:
     """Refuse outputs that would run into each other or over what is read, and unknown pictures.
 
     Parameters
@@ -195,8 +191,6 @@ def check_outputs(
         Files by option; None where nothing is asked for.
     read
         Files that the command reads.
-    rule
-        What is wrong with an output that is one of those.
 
     Raises
     ------
@@ -212,7 +206,8 @@ def check_outputs(
                 said("only one of {options} can go there", options=listed(meeting)), source=where
             )
         if path != STANDARD_STREAM and any(other and same_file(path, other) for other in read):
-            raise FileError(said(rule), source=path)
+            rule = said("is one of the input files; choose another name")
+            raise FileError(rule, source=path)
         if option in _PICTURES:
             from rolamento.plots.saving import check_name
 

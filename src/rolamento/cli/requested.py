@@ -281,10 +281,16 @@ def _shipped(
 
 
 def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions) -> Request:
-    own = {name: value for name, value in typed.items() if value is not None and value != []}
+    usual = {name: one.default for name, one in request.model_fields.items()}
+    own = {name: one for name, one in typed.items() if one not in (None, [], usual[name])}
     for name, value in own.items():
         if value in ("", [""]):
             raise InputError(said("is missing"), field=name)
+    inputs = request.inputs()
+    own = {
+        name: inputs[name].typed(value) if isinstance(value, list) else value
+        for name, value in own.items()
+    }
     if request.takes_case:
         own["changes"] = given.settings
     return request(**own)

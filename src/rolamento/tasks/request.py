@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import date
 from math import isfinite
-from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Self, TypeGuard
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Self, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema, core_schema
@@ -214,12 +214,17 @@ class Input:
         if isinstance(given, Mapping):  # which its request reads
             return given
         if self.is_many:
-            return self._values((given,) if isinstance(given, str | int | float) else given)
+            return self._values(given)
         if not isinstance(given, str):
             return self._bounded(self._checked(given))
         if self._is_too_long(given):
             raise InputError(said("must be at most {most} characters long", most=_LONGEST))
         return self._bounded(self._read(given.strip()))
+
+    def _text(self, given: Any) -> Any:
+        if isinstance(given, int | float):
+            raise InputError(said("must be text"), value=given)
+        return self.value(given)
 
     def _bounded(self, number: Any) -> Any:
         """Return a number, if it lies within the bounds."""
@@ -236,23 +241,28 @@ class Input:
     def _is_too_long(self, given: str) -> bool:
         return len(given) > _LONGEST and not self.at_computer
 
-    def _values(self, given: Sequence[Any]) -> tuple[Any, ...]:
-        if len(given) > self.most and not self.at_computer:
+    def typed(self, texts: Sequence[str]) -> Any:
+        """Return texts as they are typed, each of several values perhaps, as `value` takes them."""
+        return self.separator.join(texts) if self._is_joined else texts
+
+    @property
+    def _is_joined(self) -> bool:
+        """Whether one text may have several of its values."""
+        return self.kind in ("list", "numbers") and self.separator != ""
+
+    def _values(self, given: Any) -> tuple[Any, ...]:
+        if isinstance(given, str) and self._is_joined:
+            given = [part.strip() for part in given.split(self.separator)]
+        elif isinstance(given, str | int | float):
+            given = (given,)
+        elif len(given) > self.most and not self.at_computer:
             raise InputError(said("may be given at most {most} times", most=self.most))
         if any(self._is_too_long(one) for one in given if isinstance(one, str)):
             raise InputError(said("must be at most {most} characters long", most=_LONGEST))
         if self.kind == "choices":
             return tuple(dict.fromkeys(self._chosen(one) for one in given))
 
-        def is_joined(one: object) -> TypeGuard[str]:
-            return isinstance(one, str) and self.separator != ""
-
-        parts = [
-            part.strip() if isinstance(part, str) else part
-            for one in given
-            for part in (one.split(self.separator) if is_joined(one) else (one,))
-        ]
-        given = [part for part in parts if part != ""]
+        given = [one for one in given if one != ""]
         if any(one is None or isinstance(one, bool | Mapping | list | tuple) for one in given):
             raise InputError(said("must be a number or text"))
         if self.kind == "numbers" and len(given) > self.most:
@@ -290,6 +300,8 @@ class Input:
         elif not abs(given) <= _GREATEST or (self.kind == "count" and given != int(given)):
             rule = said("must be an integer") if self.kind == "count" else said("must be a number")
             raise InputError(rule, value=given)
+        if self.kind == "count":
+            return int(given)
         return self._chosen(str(given)) if self.kind == "choice" else given
 
     def _read(self, text: str) -> Any:
@@ -334,8 +346,10 @@ class Input:
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Have pydantic read the field with this object."""
-        return core_schema.no_info_plain_validator_function(self.value)
+        """Have pydantic read the field with this object; a number only where its type has one."""
+        is_text = str in (source, *get_args(source)) and not {int, float} & {*get_args(source)}
+        read = self._text if is_text and self.kind in ("text", "choice") else self.value
+        return core_schema.no_info_plain_validator_function(read)
 
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
@@ -490,7 +504,7 @@ class Request(Record):
             if texts and one.kind == "bearing":
                 found[name] = designated(texts[-1].strip(), name)
             elif texts:
-                found[name] = texts if one.is_many else texts[-1]
+                found[name] = one.typed(texts) if one.is_many else texts[-1]
         return cls(**{**found, **own})
 
     def run(self, progress: Any = quietly) -> Any:

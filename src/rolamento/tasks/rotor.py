@@ -164,8 +164,9 @@ class RotorRequest(MachineRequest):
         speeds = self._speeds(abs(machine.speed(name)))
         modes = natural_modes(machine, count=self.modes, damping=damping)
         progress(1, 3)
+        orders = self.orders or (1.0,)
         diagram = campbell(
-            machine, speeds, shaft=name, count=self.modes, orders=self.orders, damping=damping
+            machine, speeds, shaft=name, count=self.modes, orders=orders, damping=damping
         )
         progress(2, 3)
         response = None

@@ -301,7 +301,9 @@ def prior_of(text: str) -> ShapePrior:
         raise error.with_details(source="prior") from None
 
 
-def lives_named(texts: Sequence[str]) -> dict[str, str]:
+def lives_named(
+    texts: Sequence[str] | Mapping[str, float | str],
+) -> Mapping[str, float | str]:
     """Return lives by their names, from "NAME=LIFE"; one without is called by what was written.
 
     Raises
@@ -312,7 +314,9 @@ def lives_named(texts: Sequence[str]) -> dict[str, str]:
     if len(texts) > _MOST_CALCULATED:
         rule = said("may be given at most {most} times", most=_MOST_CALCULATED)
         raise InputError(rule, field="calculated")
-    lives: dict[str, str] = {}
+    if isinstance(texts, Mapping):
+        return texts
+    lives: dict[str, float | str] = {}
     for text in texts:
         name, _, life = text.rpartition("=")
         name = name.strip() or text.strip()

@@ -19,6 +19,7 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, arguments, guess
 from rolamento.io.json import dumps
 from rolamento.records import frozen
+from rolamento.tasks.life import MOST_BEARINGS
 from rolamento.tasks.request import Input
 from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
 from rolamento.web.answers import MOST_COLUMNS, MOST_JSON, answer, read_json, received
@@ -131,6 +132,9 @@ def _life(asked: LifeRequest) -> str:
     if asked.bearings and not alone:
         rule = said("cannot be combined with a case: a shaft has its bearings alone")
         raise InputError(rule, field="bearings")
+    if len(asked.bearings) == 1:
+        rule = said("must be from 2 to {most} on one shaft", most=MOST_BEARINGS)
+        raise InputError(rule, field="bearings", value=1)
     cases = [_of_list(one, "bearings", place) for place, one in enumerate(asked.bearings)]
     done = tasks.LifeRequest(case=cases or [asked.to_case()])
     return done.json_text(done.run())

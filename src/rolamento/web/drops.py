@@ -254,7 +254,7 @@ def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
 
 def report_file(
     cases: Sequence[Mapping[str, Any]],
-    head: Mapping[str, str],
+    head: Mapping[str, str | None],
     form: str,
     names: Sequence[str] = (),
 ) -> dict[str, Any]:
@@ -277,10 +277,16 @@ def report_file(
         If a case is not valid, or there is no such kind of file.
     """
     from rolamento.case import Case
+    from rolamento.case.report import ReportHead
     from rolamento.tasks import ReportRequest
 
     one_of(form, "format", REPORTS, "pdf")
-    asked = ReportRequest(case=[Case.from_mapping(one) for one in cases], **head, names=names)
+    given = {name: one for name, one in head.items() if one is not None}
+    asked = ReportRequest(
+        case=[Case.from_mapping(one) for one in cases],
+        **ReportHead.from_mapping(given).to_mapping(),
+        names=names,
+    )
     found = asked.run()
     return _answer((asked.page(found),), found.found.to_mapping(), "", form)
 

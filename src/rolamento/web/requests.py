@@ -30,6 +30,7 @@ from rolamento.studies.outputs import DEFAULT_OUTPUTS
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.life import MOST_BEARINGS
 from rolamento.tasks.report import MOST_CASES
+from rolamento.tasks.request import Input
 from rolamento.tasks.request import Request as UseCase
 from rolamento.web.limits import check_machine
 from rolamento.weibull.life_test import MAXIMUM_ROWS, LifeTest
@@ -265,12 +266,20 @@ def asking(request: type[UseCase], *names: str, of: type[Record] | None = None) 
     fields: dict[str, Any] = {}
     for name in names:
         one, default = inputs[name], request.model_fields[name].default
-        example = one.example or one.default
+        example = _example(one)
         shown = Field(default, description=means[name], examples=[example] if example else None)
-        fields[name] = (Annotated[Any, one], shown)
+        fields[name] = (Annotated[request.model_fields[name].annotation, one], shown)
     of_subject = (base.__doc__ or "").partition("\n\n")[2]
     doc = f"{request.summary()}\n\n{inspect.cleandoc(of_subject)}"
     return create_model(request.__name__, __base__=base, __doc__=doc, **fields)
+
+
+def _example(one: Input) -> Any:
+    """Return an example as JSON has it: several values as a list, a number as one."""
+    text = one.example or one.default
+    if one.kind in ("number", "count", "fraction", "switch"):
+        return one.value(text)
+    return [*one.value(text)] if one.is_many and not one.is_by_key else text
 
 
 class LifeTestTable(Record):
@@ -373,10 +382,7 @@ class LifeTestRequest(Record):
         return {
             "data": self.test.to_test(),
             "method": self.methods,
-            "calculated": [
-                f"{name}={life if isinstance(life, str) else f'{life!r} {self.test.unit}'}"
-                for name, life in self.calculated.items()
-            ],
+            "calculated": self.calculated,
             "prior": None if self.prior is None else self.prior.to_text(),
         }
 
