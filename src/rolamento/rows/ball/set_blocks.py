@@ -47,12 +47,13 @@ _LEVER: Final = set_lanes.LEVER
 class Rows(NamedTuple):
     """The rows of some cases; n of them.
 
-    p (rows, layout.COLUMN or more, n); stand (rows, STANDING, n): how each stands on the ring;
-    control (n or 1, balls of all rows), cosines and sines (balls); ends (rows + 1): where the balls
-    of a row begin.
+    duty (rows, layout.DUTY, n), bearing (rows, the rest of layout.COLUMN or more, n or 1): their
+    parameters; stand (rows, STANDING, n): how each stands on the ring; control (n or 1, balls of
+    all rows), cosines and sines (balls); ends (rows + 1): where the balls of a row begin.
     """
 
-    p: Array
+    duty: Array
+    bearing: Array
     stand: Array
     control: Array
     cosines: Array
@@ -159,23 +160,19 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
 
 
 @inline_exact
-def _put_balls(work: Work, lane: int, rows: Rows, row: int, k: int, alike: bool) -> None:
-    """Put the balls of a row into a lane; alike: those before stood where these do."""
-    w, b = work.w[row], work.b
+def _put_balls(work: Work, lane: int, rows: Rows, row: int, k: int) -> None:
+    """Put the balls of a row into a lane."""
     sigmas = k if rows.control.shape[0] > 1 else 0
     for j in range(rows.ends[row], rows.ends[row + 1]):
-        if alike:
-            b[j, layout.OFF * _LANES + lane] = 0.0
-        else:
-            sigma = rows.control[sigmas, j]
-            put_ball(w, b[j], lane, rows.cosines[j], rows.sines[j], sigma)
+        sigma = rows.control[sigmas, j]
+        put_ball(work.w[row], work.b[j], lane, rows.cosines[j], rows.sines[j], sigma)
 
 
 @inline_exact
 def _stand_alike(w: Array, lane: int, rows: Rows, row: int, k: int) -> bool:
     """Whether the balls of a case stand where those of the case before it in the lane did."""
-    same = w[layout.COS_FIRST * _LANES + lane] == rows.p[row, layout.COS_FIRST, k]
-    same = same and w[layout.SIN_FIRST * _LANES + lane] == rows.p[row, layout.SIN_FIRST, k]
+    same = w[layout.COS_FIRST * _LANES + lane] == rows.duty[row, layout.COS_FIRST, k]
+    same = same and w[layout.SIN_FIRST * _LANES + lane] == rows.duty[row, layout.SIN_FIRST, k]
     return bool(same and rows.control.shape[0] == 1)
 
 
@@ -194,42 +191,58 @@ def _put_place(work: Work, lane: int, rows: Rows, k: int, u: Array) -> None:
     """Put the ring of a lane at u, and its rows where that holds them."""
     for i in range(UNKNOWNS):
         work.s[(set_lanes.PLACE + i) * _LANES + lane] = u[i]
-    for row in range(rows.p.shape[0]):
+    for row in range(rows.duty.shape[0]):
         _standing(rows.stand, row, k, u, work.own)
         put_displacement(work.w[row], lane, work.own)
+
+
+@filling
+def _begin(work: Work, rows: Rows) -> None:
+    """Put the bearing into all lanes if all cases have the same."""
+    if rows.bearing.shape[2] == 1:
+        for row in range(rows.bearing.shape[0]):
+            for lane in range(_LANES):
+                put_numbers(work.w[row], layout.DUTY, lane, rows.bearing[row], 0)
 
 
 @filling
 def _fill(work: Work, lane: int, rows: Rows, asked: BalanceRequest, k: int) -> None:
     """Put a case into a lane; where its ring stands is left open."""
     _put_ring(work, lane, asked, k, False)
-    for row in range(rows.p.shape[0]):
+    for row in range(rows.duty.shape[0]):
         w = work.w[row]
         for i in range(STAND_ROWS):
             work.v[row, i * _LANES + lane] = rows.stand[row, i, k]
         alike = _stand_alike(w, lane, rows, row, k)
-        put_numbers(w, 0, lane, rows.p[row], k)
+        put_numbers(w, 0, lane, rows.duty[row], k)
+        if rows.bearing.shape[2] > 1:
+            put_numbers(w, layout.DUTY, lane, rows.bearing[row], k)
         begin_lane(w, lane)
-        _put_balls(work, lane, rows, row, k, alike)
+        if not alike:
+            _put_balls(work, lane, rows, row, k)
         w[layout.UNBALANCED * _LANES + lane] = 1.0
 
 
 @filling
 def _fill_all(work: Work, rows: Rows, block: int, count: int) -> None:
     """Put cases that follow each other into the lanes: row by row, as they lie in memory."""
-    for row in range(rows.p.shape[0]):
+    for row in range(rows.duty.shape[0]):
         w, alike = work.w[row], True
         for lane in range(count):
             alike = alike and _stand_alike(w, lane, rows, row, block + lane)
-        for i in range(layout.PARAMETERS):
+        for i in range(layout.DUTY):
             for lane in range(count):
-                w[i * _LANES + lane] = rows.p[row, i, block + lane]
+                w[i * _LANES + lane] = rows.duty[row, i, block + lane]
+        if rows.bearing.shape[2] > 1:
+            for lane in range(count):
+                put_numbers(w, layout.DUTY, lane, rows.bearing[row], block + lane)
         for i in range(STAND_ROWS):
             for lane in range(count):
                 work.v[row, i * _LANES + lane] = rows.stand[row, i, block + lane]
         for lane in range(count):
             begin_lane(w, lane)
-            _put_balls(work, lane, rows, row, block + lane, alike)
+            if not alike:
+                _put_balls(work, lane, rows, row, block + lane)
 
 
 @inline_exact
@@ -417,9 +430,9 @@ def _judge_in_lanes(
     """
     count = min(_LANES, chosen.size - block)
     _fill_all(work, rows, block, count)
-    for row in range(rows.p.shape[0]):
+    for row in range(rows.duty.shape[0]):
         a, z = rows.ends[row], rows.ends[row + 1]
-        w, b, numbers = work.w[row], work.b[a:z], rows.p[row]
+        w, b, bearing = work.w[row], work.b[a:z], rows.bearing[row]
         for lane in range(count):
             k = block + lane
             case = chosen[k]
@@ -432,7 +445,7 @@ def _judge_in_lanes(
         lanes.reset_sums(w)
         for j in range(z - a):
             lanes.mark_regrouped(w, b[j])
-        lanes.judge_balls(w, b, work.mirror, numbers[layout.DUTY :], work.contacts)
+        lanes.judge_balls(w, b, work.mirror, bearing, work.contacts)
         lanes.weigh_ring(w)
         for j in range(z - a):
             lanes.weigh_ball(w, b[j])
@@ -440,10 +453,10 @@ def _judge_in_lanes(
             case = chosen[block + lane]
             doubt = w[layout.UNSOUND * _LANES + lane] + w[layout.DOUBTFUL * _LANES + lane]
             doubt += w[layout.REGROUPED * _LANES + lane]
-            # the lanes have seven coefficients of K
+            # of bearings that differ the lanes have seven coefficients of K
             few = w[layout.TERMS * _LANES + lane] <= layout.COEFFICIENTS
             good = doubt == 0.0 and is_finite(found.displacement[row, case])
-            good = good and (few or numbers.shape[1] == 1)
+            good = good and (few or bearing.shape[1] == 1)
             good = good and w[layout.UNBALANCED * _LANES + lane] <= TOLERANCE_OF_ROWS
             work.accepted[row, lane] = good
 
@@ -478,8 +491,9 @@ def _judge(
     force[:] = 0.0
     stiffness[:] = 0.0
     control = rows.control[k if rows.control.shape[0] > 1 else 0]
+    own = k if rows.bearing.shape[2] > 1 else 0
     scale, sound = 0.0, True
-    for row in range(rows.p.shape[0]):
+    for row in range(rows.duty.shape[0]):
         a, z = rows.ends[row], rows.ends[row + 1]
         u = found.displacement[row, case]
         if moving and work.accepted[row, lane]:
@@ -487,8 +501,10 @@ def _judge(
             code, residual = CONVERGED, work.w[row, layout.UNBALANCED * _LANES + lane]
         else:
             _standing(rows.stand, row, k, found.place[case], u)
-            for i in range(column.shape[0]):
-                column[i, 0] = rows.p[row, i, k]
+            for i in range(layout.DUTY):
+                column[i, 0] = rows.duty[row, i, k]
+            for i in range(rows.bearing.shape[1]):
+                column[layout.DUTY + i, 0] = rows.bearing[row, i, own]
             one = OneCase(
                 column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
                 found.position[case, a:z], ring, work.errors[: z - a],
@@ -497,7 +513,7 @@ def _judge(
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
         reaction, row_stiffness = found.reaction[row, case], found.row_stiffness[row, case]
-        read_ring(ring, rows.p[row, layout.ARM, k], reaction, row_stiffness)
+        read_ring(ring, rows.bearing[row, layout.ARM - layout.DUTY, own], reaction, row_stiffness)
         for i in range(layout.DEGREES_OF_FREEDOM):
             scale = max_with_nan(scale, abs(ring.reaction[i]))
         _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
@@ -523,6 +539,7 @@ def solve_sets(
 
     chosen: which cases they are, of all that `found` has room for; (n,).
     """
+    _begin(work, rows)
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
@@ -531,7 +548,7 @@ def solve_sets(
         if moving and lane == 0:
             _judge_in_lanes(work, rows, k, chosen, found)
         found.sound[case] = False
-        for row in range(rows.p.shape[0]):
+        for row in range(rows.duty.shape[0]):
             found.code[row, case] = NOT_CONVERGED
         if found.steps[case] > 0:
             _judge(work, rows, asked, k, case, moving, lane, found)

@@ -146,21 +146,23 @@ class _Run:
         """Solve some of the cases, in threads, chunks of them at a time."""
         pairs = [directions(row.element_count) for row in self.rows]
         cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
-        longest = layout.DUTY + max(len(p.bearing) for p in self.columns)
+        longest = max(len(p.bearing) for p in self.columns)
+        alike = all(p.bearing.shape[1] == 1 for p in self.columns)
 
         kernel = ready(solve_sets)
 
         def run(some: IntArray) -> None:
-            p = np.zeros((len(self.rows), longest, len(some)))
-            for own, columns in zip(p, self.columns, strict=True):
-                whole = columns.of(some).whole()
-                own[: len(whole)] = whole
+            duty = np.stack([p.duty[:, some] for p in self.columns])
+            bearing = np.zeros((len(self.rows), longest, 1 if alike else len(some)))
+            for own, columns in zip(bearing, self.columns, strict=True):
+                part = columns.bearing
+                own[: len(part)] = part if part.shape[1] == 1 else part[:, some]
             control = self.control if len(self.control) == 1 else self.control[some]
             # one order in memory: the kernels are compiled for each that they meet
             stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
-            rows = Rows(p, stand, control, cosines, sines, self._ends)
+            rows = Rows(duty, bearing, stand, control, cosines, sines, self._ends)
             asked = BalanceRequest(*(np.ascontiguousarray(one[some]) for one in self.asked))
-            work = Work.of(len(self.rows), len(cosines), longest)
+            work = Work.of(len(self.rows), len(cosines), layout.DUTY + longest)
             kernel(rows, asked, moving, some, work, self.found)
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
