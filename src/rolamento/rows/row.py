@@ -270,7 +270,7 @@ class SelfBalancing(Protocol):
 
     def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
-    ) -> tuple[FloatArray, BoolArray, IntArray, FloatArray]:
+    ) -> tuple[FloatArray, BoolArray, IntArray, FloatArray | None]:
         """Where the ring comes to rest, whether it did, in how many steps, and its memory there.
 
         (len(which), 5), (len(which),) twice, and as `Response.memory`.

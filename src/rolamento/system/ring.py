@@ -227,6 +227,8 @@ class RowsOnRing:
         rows = np.flatnonzero(known)[settled]
         start[rows, :FIVE] = place[settled] * arms[rows, :FIVE]
         steps[known] = taken
+        if memory is None:
+            return steps, None
         nearby = np.full((len(chosen), memory.shape[1]), np.nan)
         nearby[rows] = memory[settled]
         return steps, nearby
