@@ -270,10 +270,10 @@ class SelfBalancing(Protocol):
 
     def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
-    ) -> tuple[FloatArray, BoolArray, IntArray]:
-        """Where the ring comes to rest, whether it did, and in how many steps.
+    ) -> tuple[FloatArray, BoolArray, IntArray, FloatArray | None]:
+        """Where the ring comes to rest, whether it did, in how many steps, and its memory there.
 
-        (len(which), 5) and (len(which),).
+        (len(which), 5), (len(which),) twice, and as `Response.memory`.
 
         free: whether the load is given on a degree of freedom, else the place; place: that, or
         where to begin; of the chosen cases, (len(which), 5) each.

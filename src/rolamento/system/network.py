@@ -276,10 +276,18 @@ class _Network:
     Each row begins from what it answered last, until it does not answer.
     """
 
-    def __init__(self, components: Sequence[Component], asked: Asked, which: Indices) -> None:
+    def __init__(
+        self,
+        components: Sequence[Component],
+        asked: Asked,
+        which: Indices,
+        memory: FloatArray | None,
+    ) -> None:
         self._components, self._chosen = components, asked.chosen[which]
         self._arms = asked.arms[which]
         self._memories: list[FloatArray | None] = [None] * len(components)
+        if memory is not None:
+            self._memories[0] = memory[which]
         self._last: tuple[FloatArray, _Sum] | None = None
 
     def __call__(self, some: Indices, u: FloatArray) -> _Sum:
@@ -331,17 +339,23 @@ def unknowns_of(nodes: tuple[int, ...]) -> Indices:
     return (FIVE * np.array(nodes)[:, np.newaxis] + np.arange(FIVE)).ravel()
 
 
-def solve(components: Sequence[Component], asked: Asked, before: IntArray | int = 0) -> Rest:
+def solve(
+    components: Sequence[Component],
+    asked: Asked,
+    before: IntArray | int = 0,
+    memory: FloatArray | None = None,
+) -> Rest:
     """Find where the nodes of some cases come to rest.
 
-    before: steps that have led to where they begin, (n,).
+    before: steps that have led to where they begin, (n,). memory: of the first component, a row,
+    where they begin; (n, any), as `rolamento.rows.row.Response`.
     """
     n, unknowns = asked.start.shape
     rest = Rest.nowhere(n, unknowns, components)
     which = np.flatnonzero(asked.sound & np.isfinite(asked.start).all(axis=1))
     if not len(which):
         return rest
-    network = _Network(components, asked, which)
+    network = _Network(components, asked, which, memory)
     found = balance(
         network,
         asked.start[which],

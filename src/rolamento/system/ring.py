@@ -160,8 +160,8 @@ class RowsOnRing:
 
     def _by_network(self, asked: Asked) -> Rest:
         start = asked.start.copy()
-        before = self._propose(asked, start)
-        return solve(self._components(), replace(asked, start=start), before)
+        before, memory = self._propose(asked, start)
+        return solve(self._components(), replace(asked, start=start), before, memory)
 
     def _proposed(self, asked: Asked) -> Rest | None:
         """Solutions by kernels that balance such rows together; None where there are none.
@@ -206,27 +206,32 @@ class RowsOnRing:
         rest.number[~asked.sound] = INVALID_INPUT
         return rest
 
-    def _propose(self, asked: Asked, start: FloatArray) -> IntArray:
+    def _propose(self, asked: Asked, start: FloatArray) -> tuple[IntArray, FloatArray | None]:
         """Begin where a row that is the whole bearing says that the ring rests; in how many steps.
 
-        Only rows whose kernels know the ring have one; it is judged as any other start.
+        Only rows whose kernels know the ring have one; it is judged as any other start, from
+        where its elements are there: the row's memory.
         """
         cases, chosen, arms = self.cases, asked.chosen, asked.arms
         placed, steps = cases.rows[0], np.zeros(len(chosen), np.int64)
         if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, SelfBalancing):
-            return steps
+            return steps, None
         known = cases.valid[chosen] & placed.row.valid[chosen] & (self.press[0][chosen] == 0.0)
         known &= placed.lever[chosen] == 0.0
         if not known.any():
-            return steps
+            return steps, None
         which = chosen[known]
-        place, settled, taken = placed.row.equilibrium(
+        place, settled, taken, memory = placed.row.equilibrium(
             cases.free[which], cases.load[which], start[known, :FIVE] / arms[known, :FIVE], which
         )
         rows = np.flatnonzero(known)[settled]
         start[rows, :FIVE] = place[settled] * arms[rows, :FIVE]
         steps[known] = taken
-        return steps
+        if memory is None:
+            return steps, None
+        nearby = np.full((len(chosen), memory.shape[1]), np.nan)
+        nearby[rows] = memory[settled]
+        return steps, nearby
 
     def _pushed(self, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:
         """Where what is loose begins: pushed in by the load, for rows that touch are stiff."""

@@ -55,15 +55,15 @@ def ring_forces(
 ) -> tuple[int, float, float, int]:
     """Balance every roller, the ring held at u (x, y, z, ry, rz), and sum up what they answer.
 
-    rollers: η and ω (Z, 2), loads per length (Z, 2, n), where the ring was (Z, 3); force: (5,),
-    stiffness: (5, 5); all written.
+    rollers: η and ω (Z, 2), loads per length (Z, 2, n), where the ring was for them (5,); force:
+    (5,), stiffness: (5, 5); all written.
     near, precision: whether the rollers begin where they are, and how well they are balanced.
     Returns a number of `rolamento.status`, the worst residual of a roller, the greatest load and
     the steps.
     """
-    states, loads, places = rollers
+    states, loads, was = rollers
     sums = np.empty((2, SUMS))
-    ring, own, tangent = np.empty(3), np.empty(3), np.empty((3, 3))
+    ring, before, own, tangent = np.empty(3), np.empty(3), np.empty(3), np.empty((3, 3))
     force[:] = 0.0
     stiffness[:] = 0.0
     worst, scale, steps = 0.0, 0.0, 0
@@ -75,11 +75,10 @@ def ring_forces(
     for j in range(cosines.size):
         c = cosines[j] * c0 - sines[j] * s0
         s = sines[j] * c0 + cosines[j] * s0
-        ring[0] = u[0] + arm * (c * u[3] - s * u[4])
-        ring[1] = s * u[1] + c * u[2]
-        ring[2] = c * u[3] - s * u[4]
+        _at_roller(arm, c, s, u, ring)
+        _at_roller(arm, c, s, was, before)
         found, residual, size, taken = relax(
-            p, column, line, ring, states[j], (sums, loads[j]), places[j], near, precision
+            p, column, line, ring, states[j], (sums, loads[j]), before, near, precision
         )
         steps += taken
         worst = residual if not residual <= worst else worst
@@ -91,7 +90,16 @@ def ring_forces(
             number = status.OVERLOADED
         condensed(p, column, ring, states[j, 1], sums, own, tangent)
         _add_roller(arm, c, s, own, tangent, force, stiffness)
+    was[:] = u
     return number, worst, scale, steps
+
+
+@inline_exact
+def _at_roller(arm: float, c: float, s: float, u: Array, ring: Array) -> None:
+    """Write A, b, θ of a ring at u where a roller is, (3,)."""
+    ring[2] = c * u[3] - s * u[4]
+    ring[0] = u[0] + arm * ring[2]
+    ring[1] = s * u[1] + c * u[2]
 
 
 @inline_exact
@@ -154,6 +162,7 @@ def hold_cases(
     lines: Line,
     cosines: Array,
     sines: Array,
+    begin: Array,
     first: int,
     last: int,
     out: Output,
@@ -161,20 +170,29 @@ def hold_cases(
     """Hold the cases first..last-1 where p has their rings imposed.
 
     p: (layout.COLUMN, cases); lines: as `Line`, but for the table and the scratch with (cases or 1)
-    in front. out: state (cases, Z, 2), loads per length (cases or 1, Z, 2, n), force (cases, 5),
-    stiffness (cases, 5, 5), scale, residual, number and steps (cases).
+    in front. begin: the ring's places (cases, 5) at which the rollers are in the state that out
+    has of them, NaN where they begin anew. out: state (cases, Z, 2), loads per length (cases or 1,
+    Z, 2, n), force (cases, 5), stiffness (cases, 5, 5), scale, residual, number and steps (cases).
     """
     state, loads, force, stiffness, scale, residual, number, steps = out
-    u, places = np.empty(DEGREES), np.empty((cosines.size, 3))
+    u, was = np.empty(DEGREES), np.empty(DEGREES)
     for case in range(first, last):
         line = line_of(lines, case)
         kept = loads[case if loads.shape[0] > 1 else 0]
         for i in range(DEGREES):
-            u[i] = p[layout.IMPOSED + i, case]
-        number[case], residual[case], scale[case], steps[case] = ring_forces(
-            p, case, line, cosines, sines, u, (state[case], kept, places),
-            force[case], stiffness[case], False, PRECISION,
-        )  # fmt: skip
+            u[i], was[i] = p[layout.IMPOSED + i, case], begin[case, i]
+        near = abs(was[0]) < np.inf
+        for look in range(3):
+            number[case], residual[case], scale[case], steps[case] = ring_forces(
+                p, case, line, cosines, sines, u, (state[case], kept, was),
+                force[case], stiffness[case], near, PRECISION,
+            )  # fmt: skip
+            if not near:
+                break
+            if number[case] == status.NOT_CONVERGED:
+                near = False
+            elif look > 0 or not line[0]:
+                break  # slices that are coupled know their derivatives only from loads nearby
         worst = scale[case]
         for i in range(DEGREES):
             arm = p[layout.ARM, case] if i > 2 else 1.0
@@ -214,24 +232,25 @@ def settle_cases(
     first: int,
     last: int,
     rings: Array,
+    states: Array,
     settled: NDArray[np.bool_],
     steps: NDArray[np.int64],
 ) -> None:
     """Let the rings of the cases go until the loads balance: a proposal, to be judged as any.
 
-    As `hold_cases`; rings: places (cases, 5), settled: whether, and steps: in how many, (cases,)
-    each, all written.
+    As `hold_cases`; rings: places (cases, 5), states: of the rollers there (cases, Z, 2), settled:
+    whether, and steps: in how many, (cases,) each, all written.
     """
     z = cosines.size
     loads = np.zeros((z, 2, lines[1].shape[1]))
-    rollers, force = (np.zeros((z, 2)), loads, np.zeros((z, 3))), np.empty(DEGREES)
+    was, force = np.zeros(DEGREES), np.empty(DEGREES)
     stiffness, matrix = np.empty((DEGREES, DEGREES)), np.empty((DEGREES, DEGREES))
     rest, step, arms = np.empty(DEGREES), np.empty(DEGREES), np.empty(DEGREES)
     old = np.empty(DEGREES)
     for case in range(first, last):
         line = line_of(lines, case)
         loads[:] = 0.0
-        u = rings[case]
+        u, rollers = rings[case], (states[case], loads, was)
         for i in range(DEGREES):
             arms[i] = p[layout.ARM, case] if i > 2 else 1.0
         _start(p, case, z, u)

@@ -315,8 +315,8 @@ def relax(
 ) -> tuple[bool, float, float, int]:
     """Find the balance of a roller.
 
-    state: η, ω, written; before: where the ring was for it (3,), written; near: whether it was
-    in balance there, and begins from there. found: sums and loads, written. Returns whether it is
+    state: η, ω, written; before: where the ring was for it (3,); near: whether it was in balance
+    there, and begins from there. found: sums and loads, written. Returns whether it is
     in balance, the unbalanced load over the scale of the loads, that scale, and Newton steps.
     """
     sums = found[0]
@@ -345,7 +345,6 @@ def relax(
         shift, turn, more = _lightened(p, column, line, ring, found)
         steps += more
     state[0], state[1] = shift, turn
-    before[:] = ring
     return residual <= accepted, residual, size, steps
 
 

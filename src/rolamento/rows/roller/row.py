@@ -35,6 +35,11 @@ RUN_OFF: Final = 0.2
 on."""
 
 
+def _memory_of(place: FloatArray, state: FloatArray) -> FloatArray:
+    """From what a row may begin nearby: the ring's place (cases, 5), the rollers' (cases, Z, 2)."""
+    return np.concatenate([place, state.reshape(len(state), -1)], axis=1)
+
+
 @dataclass(slots=True)
 class RollerResponse:
     """Rollers in their places; place (cases, 5), m and rad."""
@@ -78,9 +83,9 @@ class RollerResponse:
         return np.zeros(len(self.place), np.bool_)
 
     @property
-    def memory(self) -> FloatArray | None:
-        """It begins anew at every place."""
-        return None
+    def memory(self) -> FloatArray:
+        """Where the ring and the rollers are; (cases, 5 + 2 Z)."""
+        return _memory_of(self.place, self.solution.state)
 
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
@@ -156,7 +161,7 @@ class RollerRow:
         """Hold some of the cases at a place; (len(which), 5)."""
         p = self.numbers.p[:, which]
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
-        found = hold(p, self.numbers.cut.part(which), self.element_count, self.threads)
+        found = hold(p, self.numbers.cut.part(which), self.element_count, self.threads, memory)
         return RollerResponse(place.copy(), found)
 
     def no_response(self, cases: int) -> RollerResponse:
@@ -167,7 +172,7 @@ class RollerRow:
 
     def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
-    ) -> tuple[FloatArray, BoolArray, IntArray]:
+    ) -> tuple[FloatArray, BoolArray, IntArray, FloatArray]:
         """Where the ring of a bearing that is this row comes to rest; (len(which), 5), m and rad.
 
         As `rows.row.SelfBalancing`; settled too where it has run off. Found in one go by the
@@ -178,11 +183,11 @@ class RollerRow:
         p[layout.APPLIED : layout.APPLIED + 5] = load.T
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
         cut = self.numbers.cut.part(which)
-        rings, settled, steps = settle(p, cut, self.element_count, self.threads)
+        rings, states, settled, steps = settle(p, cut, self.element_count, self.threads)
         reach = np.abs(rings[:, :3]).max(axis=1)
         tilted = p[layout.ARM] * np.abs(rings[:, 3:]).max(axis=1)
         off = np.maximum(reach, tilted) > RUN_OFF * p[layout.DIAMETER]
-        return rings, settled | off, steps
+        return rings, settled | off, steps, _memory_of(rings, states)
 
     def first_contact(self) -> FloatArray:
         """Place along x where the unloaded rollers touch, from which x counts; (cases,), m."""
@@ -199,8 +204,8 @@ class RollerRow:
         which = which[:1] if alike else which
         free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
         free[:, 0], load[:, 0] = True, force[which]
-        place, _, _ = still.equilibrium(free, load, np.zeros_like(load), which)
-        force_there = still.respond(place, which).force[:, 0]
+        place, _, _, memory = still.equilibrium(free, load, np.zeros_like(load), which)
+        force_there = still.respond(place, which, memory).force[:, 0]
         near = np.abs(force_there - force[which]) <= 1e-9 * np.abs(force[which])
         found[which] = np.where(near, place[:, 0], np.nan)
         return np.full(self.cases, found[0]) if alike else found

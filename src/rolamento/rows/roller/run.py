@@ -14,7 +14,7 @@ from rolamento import status
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import share_out
 from rolamento.rows.ball.problem import directions
-from rolamento.rows.roller.batch import hold_cases, settle_cases
+from rolamento.rows.roller.batch import DEGREES, hold_cases, settle_cases
 from rolamento.rows.roller.columns import Cut
 
 CHUNK: Final = 64
@@ -73,10 +73,20 @@ class Solution:
                 whole[cases] = piece
 
 
-def hold(p: FloatArray, cut: Cut, rollers: int, threads: int | None) -> Solution:
-    """Balance the rollers of every column, its ring where it is imposed."""
+def hold(
+    p: FloatArray, cut: Cut, rollers: int, threads: int | None, memory: FloatArray | None = None
+) -> Solution:
+    """Balance the rollers of every column, its ring where it is imposed.
+
+    memory: a place of the ring and the state of the rollers there, from which they begin;
+    (cases, 5 + 2 Z), NaN where there is none.
+    """
     cases = p.shape[1]
     found = Solution.empty(cases, rollers, cut.slices, cut.coupled)
+    begin = np.full((cases, DEGREES), np.nan)
+    if memory is not None:
+        begin[:] = memory[:, :DEGREES]
+        found.state[:] = memory[:, DEGREES:].reshape(found.state.shape)
     out = found.arrays()
     p = np.ascontiguousarray(p)
     cosines, sines = _around(rollers)
@@ -84,7 +94,7 @@ def hold(p: FloatArray, cut: Cut, rollers: int, threads: int | None) -> Solution
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         loads = out[1] if cut.coupled else np.zeros((1, rollers, 2, cut.slices))
         own = (out[0], loads, *out[2:])
-        kernel(p, cut.lines(), cosines, sines, first, last, own)
+        kernel(p, cut.lines(), cosines, sines, begin, first, last, own)
 
     share_out(hold_cases, run, cases, chunk=CHUNK, threads=threads, little=_little(p, rollers, cut))
     return found
@@ -92,21 +102,24 @@ def hold(p: FloatArray, cut: Cut, rollers: int, threads: int | None) -> Solution
 
 def settle(
     p: FloatArray, cut: Cut, rollers: int, threads: int | None
-) -> tuple[FloatArray, NDArray[np.bool_], NDArray[np.int64]]:
-    """Let the rings of every column go: places (cases, 5), whether each came to rest, and steps."""
+) -> tuple[FloatArray, FloatArray, NDArray[np.bool_], NDArray[np.int64]]:
+    """Let the rings of every column go: where they and their rollers are, settled, and steps.
+
+    Places (cases, 5), states (cases, Z, 2), whether each came to rest, and in how many steps.
+    """
     cases = p.shape[1]
-    rings = np.zeros((cases, 5))
+    rings, states = np.zeros((cases, DEGREES)), np.zeros((cases, rollers, 2))
     settled, steps = np.zeros(cases, np.bool_), np.zeros(cases, np.int64)
     p = np.ascontiguousarray(p)
     cosines, sines = _around(rollers)
 
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
-        kernel(p, cut.lines(), cosines, sines, first, last, rings, settled, steps)
+        kernel(p, cut.lines(), cosines, sines, first, last, rings, states, settled, steps)
 
     share_out(
         settle_cases, run, cases, chunk=CHUNK, threads=threads, little=_little(p, rollers, cut)
     )
-    return rings, settled, steps
+    return rings, states, settled, steps
 
 
 def _little(p: FloatArray, rollers: int, cut: Cut) -> bool:

@@ -225,7 +225,7 @@ class GrooveRow:
 
     def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
-    ) -> tuple[FloatArray, BoolArray, IntArray]:
+    ) -> tuple[FloatArray, BoolArray, IntArray, None]:
         """Equilibrium of the ring of a bearing that is this row, as of `rows.row.SelfBalancing`."""
         rings = np.ascontiguousarray(place)
         settled, steps = np.zeros(len(which), np.bool_), np.zeros(len(which), np.int64)
@@ -236,7 +236,7 @@ class GrooveRow:
                 own = rings[left], settled[left], steps[left]
                 self._settle(kernel, which[left], free[left], load[left], own)
                 rings[left], settled[left], steps[left] = own
-        return rings, settled | kernels.beyond(p, rings), steps
+        return rings, settled | kernels.beyond(p, rings), steps, None
 
     def _settle(
         self,
