@@ -120,7 +120,7 @@ def test_a_study_takes_one(folder: Path) -> None:
         (("solve", "6310", *LOAD, "--lubricant", "VG 6800"), '--lubricant: "VG 6800"'),
         (("solve", "6310", "--catalogue", "none.csv"), "none.csv"),
         (("solve", "cas"), "cas: is no file; did you mean case.toml?"),
-        (("solve", "case"), "CASE: is no file; did you mean case.toml?"),
+        (("solve", "case"), "case: is no file; did you mean case.toml?"),
         (("solve", "bearing"), "bearing: is neither a file nor the designation of a bearing"),
         (("solve", "6299"), 'bearing.designation = "6299": is in no catalogue; did you mean'),
         (("solve", "none.toml"), "none.toml: cannot be opened: no such file"),

@@ -266,5 +266,5 @@ def test_the_result_itself_is_not_overwritten(run: Run) -> None:
     before = Path("state.json").read_bytes()
     code, out = run("state.json")
     assert code == 2
-    assert "is the result itself" in out
+    assert "is one of the input files" in out
     assert Path("state.json").read_bytes() == before

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,14 @@ from rolamento.pages.report import report_page
 from rolamento.pages.state import state_page
 from rolamento.solved.notes import nothing_given
 from rolamento.tasks.report import calculation_report
+from rolamento.web.form import in_labels
 from rolamento.web.live import live
 from rolamento.words import speaking
+
+
+def on_the_page(case: dict[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(in_labels(live, {"cases": [case]}))
+    return found
 
 
 def solved(designation: str, **duty: Any) -> Solved:
@@ -82,12 +89,12 @@ def test_a_report_without_a_load_has_no_numbers_of_it(tmp_path: Path) -> None:
 
 def test_the_app_says_so_with_the_names_of_its_fields() -> None:
     empty = {"case": {"bearing": {"designation": "6310"}, "duty": {}}}
-    status = live({"cases": [empty]})["cases"][0]["status"]
+    status = on_the_page(empty)["cases"][0]["status"]
     assert status["text"] == "no load is given yet: nothing to calculate"
     assert "“axial load Fx”" in status["advice"]
     assert "duty." not in status["advice"]
     with speaking("pt"):
-        assert "“carga axial Fx”" in live({"cases": [empty]})["cases"][0]["status"]["advice"]
+        assert "“carga axial Fx”" in on_the_page(empty)["cases"][0]["status"]["advice"]
     loaded = {"case": {"bearing": {"designation": "6310"}, "duty": {"load": {"fz": "1 kN"}}}}
     assert live({"cases": [loaded]})["cases"][0]["status"]["advice"] is None
 
@@ -95,7 +102,7 @@ def test_the_app_says_so_with_the_names_of_its_fields() -> None:
 def test_the_app_gives_advice_once() -> None:
     """With the status; the summary says why there is no result, and no more."""
     pulled = {"case": {"bearing": {"designation": "7210 B"}, "duty": {"load": {"fx": "-5 kN"}}}}
-    found = live({"cases": [pulled]})
+    found = on_the_page(pulled)
     advice = found["cases"][0]["status"]["advice"]
     assert "“axial load Fx”" in advice
     assert found["cases"][0]["status"]["text"] == "there is no equilibrium"

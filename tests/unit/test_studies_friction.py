@@ -149,6 +149,7 @@ def test_without_a_result_there_is_no_number(oiled: Case) -> None:
         & set(output.needs)
         and not any(need.startswith("electrical.") for need in output.needs)
         and "jones_full" not in name
+        and not name.startswith(("grease", "relubrication"))  # of an oil there are none
     ]
     axis = Axis(field="duty.load.fx", values=(30e3, -50e3))
     found = run(Study(case=oiled, outputs=tuple(names), axes=(axis,)))

@@ -77,7 +77,7 @@ def _length_as_effective(told: dict[str, Any]) -> float:
 
 
 def _type_of(told: Mapping[str, Any]) -> BearingType | None:
-    """The type by rings and rollers as they are told; None of what nobody knows."""
+    """The type by the rings and rollers that are given; None of what nobody knows."""
     element, kind = told.get("element"), told.get("kind")
     if element not in get_args(RollerElement):
         return None

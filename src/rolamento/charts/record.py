@@ -26,7 +26,7 @@ __all__ = [
 Floats = NDArray[np.float64]
 Form = Literal["line", "points", "both", "sparse"]
 Side = Literal["left", "right", "above", "on", "along"]
-"""Of its point; "along" a line that stands there, on its left, upright on paper."""
+"""Where it stands by its point; "along" a line that stands there, on its left, upright on paper."""
 
 BREAK: Final = "//"
 """The break mark of a bar that goes beyond its axis."""

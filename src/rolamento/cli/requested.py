@@ -220,7 +220,7 @@ def _read(request: type[Request], typed: Mapping[str, Any]) -> list[str]:
 
 
 def _refuse_there(asked: Request) -> None:
-    """Refuse to overwrite a file of a request that may be told to."""
+    """Refuse to overwrite a file of a request that has ``--force``, without it."""
     target = asked.target
     if target in (None, STANDARD_STREAM) or getattr(asked, "force", True):
         return

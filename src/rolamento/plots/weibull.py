@@ -163,7 +163,7 @@ def _group(
         label = ""
     if band is not None and band.converged:
         yield _bounds(band, look, across)
-    yield from _at_the_foot(test, look, index, label)
+    yield from _at_the_foot(test, look, index, label, across[0])
 
 
 def _system(summary: LifeTestSummary, ordinate: Floats) -> Iterator[Line]:
@@ -210,10 +210,10 @@ def _bounds(band: Band, look: Look, across: Ends) -> Line:
     return Line(x, y, said("{confidence} % bounds", confidence=confidence), edge, filled=True)
 
 
-def _at_the_foot(test: LifeTest, look: Look, index: int, label: str) -> Iterator[Line]:
+def _at_the_foot(test: LifeTest, look: Look, index: int, label: str, left: float) -> Iterator[Line]:
     """Yield suspended bearings, and failures between inspections, along the axis.
 
-    label: of the group, where neither line nor points have it.
+    label: of the group, where neither line nor points have it. left: end of the axis.
     """
     height = _RUG * (index + 0.6)
     suspended = np.unique(test.times[~test.failed])
@@ -224,7 +224,7 @@ def _at_the_foot(test: LifeTest, look: Look, index: int, label: str) -> Iterator
     between = ~np.isnan(test.lower)
     ends = np.unique(np.stack([test.lower[between], test.times[between]], axis=1), axis=0)
     ends = ends[:_MOST_MARKED]
-    ends[:, 0] = np.maximum(ends[:, 0], 1e-3 * ends[:, 1])
+    ends[:, 0] = np.maximum(ends[:, 0], left)
     for row in range(min(_ROWS, len(ends))):
         x = np.insert(ends[row::_ROWS], 2, np.nan, axis=1).ravel()
         yield Line(x, np.zeros(len(x)), said("failed between inspections"),

@@ -62,6 +62,8 @@ class Goal:
     jumps: tuple[float, ...]
     cases: tuple[Case, ...]
     notes: tuple[Note, ...]
+    report: ClassVar[None] = None
+    text: ClassVar[str] = ""
 
     @property
     def field(self) -> Field:

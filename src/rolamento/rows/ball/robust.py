@@ -45,7 +45,7 @@ NEAR_BALANCE: Final = 1e-3
 rings turn against each other, or the balls push the ring off, an equilibrium need not be a
 minimum."""
 LOOSE: Final = 1e-2
-"""Of the ring's unbalanced part: what may be left unbalanced of a ball, whose last step squares it,
+"""Fraction of the ring's unbalanced part that may be left of a ball, whose last step squares it,
 while the ring is on its way."""
 FARTHER, AFTER_RETREAT = 3.0, 2.0
 """Times the ring's last step: how far the next may go at first, where the last was not shortened

@@ -44,13 +44,13 @@ class Ring(NamedTuple):
 
     reaction (5,) and matrix (5, 5): force, and its derivative by the ring's displacement, with
     the balls following; now (5,): the force before any step. by_cage (5,): the derivative by the
-    cage's speed. lag (1,): how far the
-    cage is behind its drive, the sum of h Q_i (ω_own - ω); lag_by_ring (5,), lag_by_cage (1,): its
-    derivatives; pull (1,): the sum of h Q_i. load (1,): the sum of Q_i.
+    cage's speed. lag (1,): how far the cage is behind its drive, the sum of h Q_i (ω_own - ω);
+    lag_by_ring (5,), lag_by_cage (1,): its derivatives; pull (1,): the sum of h Q_i. load (1,):
+    the sum of Q_i.
     follow (balls, 6): W by rows and z, with which a ball follows its groove and the cage.
     work (1,): evaluations of a ball that may still be spent.
     w (layout.RING_ROWS * LANES), b (blocks, layout.SETTLING_ROWS * LANES), k (6 * LANES), left
-    (balls,): room for balls that are settled abreast; no blocks where they are not.
+    (balls,): room for balls that are settled side by side; no blocks where they are not.
     """
 
     reaction: Array
@@ -93,7 +93,7 @@ class OneCase(NamedTuple):
 
 @shared
 def ring_around(balls: int, abreast: bool) -> Ring:
-    """Make room for the sums over so many balls, and to settle them abreast or not."""
+    """Make room for the sums over so many balls, and to settle them side by side or not."""
     lanes = layout.LANES
     blocks = (balls + lanes - 1) // lanes if abreast else 0
     return Ring(
