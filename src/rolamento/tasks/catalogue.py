@@ -112,7 +112,9 @@ class BearingRequest(FindingRequest):
     axis: Annotated[bool, Input("", "switch")] = False
     catalogues: Annotated[Any, CATALOGUES] = ()
 
-    examples: ClassVar = "Examples: catalogue show 6205/C3; catalogue show 7205B --dynamic '14.8 kN'."
+    examples: ClassVar = (
+        "Examples: catalogue show 6205/C3; catalogue show 7205B --dynamic '14.8 kN'."
+    )
 
     def run(self, progress: Progress = quietly) -> Finding:
         """Find it, an `InternalGeometry`."""
