@@ -531,7 +531,7 @@ def help_of(words: tuple[str, ...]) -> list[str]:
 def test_the_help_of_a_command_begins_with_one_line_of_what_it_does(words: tuple[str, ...]) -> None:
     said = ALL_COMMANDS[words].get_short_help_str(200)
     verbs = (
-        "Compare|Compile|Diagnose|Draw|Fit|List|Make|Open|Plan|Reproduce|Say|Search|Show|Solve"
+        "Compare|Compile|Diagnose|Draw|Find|Fit|List|Make|Open|Plan|Reproduce|Say|Search|Show|Solve"
         "|Write"
     )
     assert re.fullmatch(rf"({verbs}) [^.]+\.", said)
@@ -580,6 +580,27 @@ def test_what_has_no_heading_is_shown_below_the_last() -> None:
     options = CliRunner().invoke(other, ["one", "--help"]).stdout
     assert re.search(r"Where:\n  --path <str>\n\nOptions:\n  --size <int>", options)
     assert "Nothing" not in options
+
+
+@pytest.mark.parametrize(
+    ("command", "usage", "argument"),
+    [
+        ("solve", "CASE", "CASE"),
+        ("report", "CASE...", "CASE"),
+        ("weibull", "[DATA.csv]", "DATA.csv"),
+    ],
+)
+def test_arguments_are_named_as_usual(command: str, usage: str, argument: str) -> None:
+    """A required one without braces, and none by a type of Python."""
+    shown = CliRunner().invoke(app, [command, "--help"]).stdout
+    assert f" {command} [OPTIONS] {usage}\n" in shown
+    assert re.search(rf"Arguments:\n  {re.escape(argument)}  ", shown)
+
+
+def test_a_long_name_does_not_move_what_the_others_mean() -> None:
+    shown = CliRunner().invoke(app, ["synthesise", "--lang", "pt", "--help"]).stdout
+    assert re.search(r"\n  --slip FRAÇÃO +Fração", shown)
+    assert re.search(r"\n  --swing \S+\n +Fração", shown)
 
 
 # --- where the value of --json is left out ----------------------------------

@@ -19,7 +19,7 @@ from rolamento.charts.frame import figure_of
 from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile
 from rolamento.plots.saving import save_figure
-from rolamento.plots.study import has_result, most_telling, outputs
+from rolamento.plots.study import axis_of, has_result, most_telling, outputs
 from rolamento.plots.sweep import (
     study_histogram,
     study_lines,
@@ -465,3 +465,15 @@ def test_colours_grow_lighter(tmp_path: Path) -> None:
     colours = np.array([to_rgba(c) for c in mesh.cmap(mesh.norm(middles))])
     lightness = colours[:, :3] @ [0.2126, 0.7152, 0.0722]
     assert (np.diff(lightness) > 0.0).all()
+
+
+def test_a_temperature_is_read_in_the_scale_it_was_given_in() -> None:
+    """In °C; a difference, which is given in K, stays as it is."""
+    study = sweep(loads=2, speeds=1)
+    study["fx"].attrs = {"units": "K", "given_in": "degC"}
+    study = study.assign_coords(fx=("fx", [343.15, 383.15], study["fx"].attrs))
+    shown = axis_of(study, "fx", 2)
+    assert shown.values.tolist() == [70.0, 110.0]
+    assert shown.label.endswith("(°C)")
+    del study["fx"].attrs["given_in"]
+    assert axis_of(study, "fx", 2).values.tolist() == [343.15, 383.15]

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ANGLES",
+    "CELSIUS",
     "DEGREE",
     "MEGAPASCAL",
     "MILLIMETRE",
@@ -56,6 +57,8 @@ MEGAPASCAL: Final = ReadableUnit("MPa", 1e-6)
 RPM: Final = ReadableUnit("rpm", units.rpm_of(1.0))
 PERCENT: Final = ReadableUnit("%", 1e2)
 NONE: Final = ReadableUnit("–", 1.0)
+CELSIUS: Final = ReadableUnit("°C", 1.0)
+"""Of values that are counted from 0 °C already."""
 
 _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
     "": ((0.0, NONE),),
@@ -167,7 +170,7 @@ def _folded(symbol: str) -> str:
 def read_values(field: Field, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], str]:
     """Return values of a field of a case as a person reads them, and their unit."""
     if field.dimension == "temperature":
-        return np.round(values - units.ZERO_CELSIUS, 9), "°C"
+        return np.round(values - units.ZERO_CELSIUS, 9), CELSIUS.symbol
     unit = readable_unit(field.unit, values, field.name)
     return unit.of(values), unit.symbol
 

@@ -38,7 +38,7 @@ COMMANDS: Final[Mapping[str, Mapping[str, str]]] = {
     "The machine around it": {
         "shaft": marked("Show loads, tilts and lives of the bearings on shafts."),
         "rotor": marked("Show natural frequencies and critical speeds of shafts."),
-        "import": marked("Make a machine file of a REXS model."),
+        "import": marked("Make a machine file from a REXS model."),
         "export": marked("Write a machine or its bearings for another program."),
     },
     "Life and life tests": {
@@ -69,7 +69,7 @@ COMMANDS: Final[Mapping[str, Mapping[str, str]]] = {
     "Studies and figures": {
         "sweep": marked("Solve many cases: ranges of fields, or random draws."),
         "tolerance": marked("Show percentiles of a study, and which inputs matter."),
-        "seek": marked("Solve for the input that gives an output its value."),
+        "seek": marked("Find the input that brings an output to a target value."),
         "plot": marked("Draw a state, its life or a study; several share a figure."),
     },
     "Verification": {

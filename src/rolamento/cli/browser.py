@@ -46,7 +46,7 @@ def browser(
         typer.Option(
             "--host",
             metavar="ADDRESS",
-            help="Address to listen at. Any but this machine's own asks for a token.",
+            help="Address to listen on; any but this machine's own requires a token.",
         ),
     ] = _HOST,
     port: Annotated[
@@ -64,8 +64,8 @@ def browser(
             metavar="TEXT",
             envvar="ROLAMENTO_TOKEN",
             show_envvar=False,
-            help="Token that every visitor has to know, at least 8 characters; made and printed if"
-            " another address than this machine's own is listened at. ROLAMENTO_TOKEN in the"
+            help="Token that every visitor needs, at least 8 characters; made and printed if"
+            " the app listens on any address but this machine's own. ROLAMENTO_TOKEN in the"
             " environment is not shown to other users of the machine.",
         ),
     ] = None,

@@ -26,6 +26,9 @@ METAVAR: Final = "metavar"
 _LONGEST: Final = 200
 """Characters of a one-line help, which is wrapped and not cut where it is too long for a line."""
 
+_COLUMN: Final = 30
+"""Characters of names beside what they mean; longer ones stand above it."""
+
 typer.core._ = said  # type: ignore[attr-defined, assignment]  # else it asks the process's own catalogue
 _OF_TYPER: Final = (
     marked("default: {default}"),
@@ -163,16 +166,23 @@ def _spoken(shown: C) -> C:
             setattr(copied, name, "\n\n".join(map(said, paragraphs(getattr(copied, name)))))
     if getattr(copied, "metavar", None):
         copied.metavar = said_in(METAVAR, copied.metavar)
+    if getattr(copied, "param_type_name", "") == "argument":
+        copied.display_type_rich = lambda ctx: None  # all are texts; the help says of what
     return copied  # type: ignore[no-any-return]
 
 
 def _write_usage(command: Any, ctx: Any, formatter: Any) -> None:
     pieces = [said_in(METAVAR, command.options_metavar)]
     for parameter in command.get_params(ctx):
-        pieces += _spoken(parameter).get_usage_pieces(ctx)
+        pieces += map(_without_braces, _spoken(parameter).get_usage_pieces(ctx))
     if isinstance(command, TyperGroup):
         pieces.append(said_in(METAVAR, command.subcommand_metavar))
     formatter.write_usage(ctx.command_path, " ".join(pieces), said("Usage: "))
+
+
+def _without_braces(piece: str) -> str:
+    """Return what stands for an argument as usual: CASE, not {CASE}, where it is required."""
+    return piece.translate({ord("{"): None, ord("}"): None})
 
 
 def _write_options(
@@ -207,9 +217,12 @@ def _grouped(
 
 
 def _write(formatter: Any, groups: Mapping[str, Sequence[tuple[str, str]]]) -> None:
-    """Write what stands below each heading, in one column for all of them."""
-    width = max((len(name) for group in groups.values() for name, _ in group), default=0)
+    """Write what stands below each heading, in one column for all but long names."""
+    widths = [len(name) for group in groups.values() for name, _ in group]
+    width = max((width for width in widths if width <= _COLUMN), default=0)
     for heading, group in groups.items():
         if group:
             with formatter.section(said(heading)):
-                formatter.write_dl([(name.ljust(width), text) for name, text in group])
+                formatter.write_dl(
+                    [(name.ljust(width), text) for name, text in group], col_max=width
+                )

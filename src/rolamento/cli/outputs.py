@@ -64,8 +64,8 @@ class Outputs:
         typer.Option(
             "--separator",
             metavar="MARK",
-            help="Of --csv: comma, semicolon, tab or bar; comma by default, semicolon where the"
-            " decimal mark is a comma.",
+            help="Separator of --csv: comma, semicolon, tab or bar; comma by default, semicolon"
+            " where the decimal mark is a comma.",
         ),
     ] = None
     decimal: Annotated[

@@ -14,12 +14,13 @@ from typing import Any, Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.charts.axes_units import NONE, ReadableUnit, readable_unit
+from rolamento.charts.axes_units import CELSIUS, NONE, ReadableUnit, readable_unit
 from rolamento.charts.texts import capitalised, shown_text
 from rolamento.errors import InputError, nearest
 from rolamento.records import frozen
 from rolamento.studies.names import setting_name, variable_name
 from rolamento.studies.study import SAMPLE, VARIANT
+from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
 
 Floats = NDArray[np.float64]
@@ -253,6 +254,8 @@ def _plotted(
     name: str, dims: tuple[str, ...], values: Floats, variable: Variable
 ) -> PlottedVariable:
     unit = readable_unit(str(variable.attrs.get("units", "1")), values, name)
+    if unit.symbol == "K" and "given_in" in variable.attrs:  # in a scale that people read
+        values, unit = np.round(values - ZERO_CELSIUS, 9), CELSIUS
     label = unit.label(variable_label(name, variable.attrs))
     return PlottedVariable(name, dims, unit.of(values), label, unit)
 

@@ -52,7 +52,9 @@ class CatalogueSearch(FindingRequest):
     ] = 40
     catalogues: Annotated[Any, CATALOGUES] = ()
 
-    examples: ClassVar = "Examples: search 62; search 'EX 70'; search 25x52x15."
+    examples: ClassVar = (
+        "Examples: catalogue search 62; catalogue search 'EX 70'; catalogue search 25x52x15."
+    )
 
     def run(self, progress: Progress = quietly) -> Finding:
         """Find it, a tuple of `CatalogueBearing`."""
@@ -110,7 +112,9 @@ class BearingRequest(FindingRequest):
     axis: Annotated[bool, Input("", "switch")] = False
     catalogues: Annotated[Any, CATALOGUES] = ()
 
-    examples: ClassVar = "Examples: show 6205/C3; show 7205B --dynamic '14.8 kN'."
+    examples: ClassVar = (
+        "Examples: catalogue show 6205/C3; catalogue show 7205B --dynamic '14.8 kN'."
+    )
 
     def run(self, progress: Progress = quietly) -> Finding:
         """Find it, an `InternalGeometry`."""

@@ -42,7 +42,7 @@ def _named_after(source: str, ending: str) -> str:
 
 
 class ImportRequest(FindingRequest):
-    """Make a machine file of a REXS model.
+    """Make a machine file from a REXS model.
 
     REXS is the format in which programs exchange gear units. Shows what was taken, what was
     inferred, and what was left out.

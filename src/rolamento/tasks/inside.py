@@ -435,7 +435,7 @@ class ReportRequest(CaseRequest):
         Of several cases; A, B, C … by default.
     """
 
-    case: Annotated[Any, Input("", "files", essential=True, metavar="CASE...")]
+    case: Annotated[Any, Input("", "files", essential=True, metavar="CASE")]
     output: Annotated[Any, Input("", "target", metavar="FILE")] = None
     project: Annotated[str, Input(example="Spindle unit 4711", metavar="TEXT")] = ""
     author: Annotated[str, Input(example="A. Souza", metavar="TEXT")] = ""

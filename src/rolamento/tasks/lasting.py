@@ -153,14 +153,15 @@ class GreaseRequest(CaseRequest):
 class OilRequest(CaseRequest):
     """Show which ISO viscosity grade gives the required κ.
 
-    The hottest decides; what the grade does in the coldest stands beside.
+    The highest temperature decides; what the grade gives at the lowest stands beside it.
 
     Parameters
     ----------
     kappa
         Viscosity ratio κ that the oil is to give.
     temperatures
-        Coldest and hottest of the lubricant, such as 40..80degC; by default that of the case.
+        Lowest and highest temperature of the lubricant, such as 40..80degC; by default that of
+        the case.
     """
 
     kappa: Annotated[float, Input("", "number", example="1.5", default="1.5")] = 1.5

@@ -102,7 +102,7 @@ class RotorRequest(MachineRequest):
     speeds
         Speeds of the shaft, such as 0..6000rpm; to 1.5 times its own by default.
     shaft
-        Whose speeds; by default the first that turns.
+        Shaft whose speeds these are; by default the first that turns.
     points
         How many speeds, 2 to 500.
     modes

@@ -29,7 +29,7 @@ class ClearanceRequest(CaseRequest):
     case
         Case file with a [mounting], or a designation and its fits by --set; - for standard input.
     samples
-        Sample so many bearings from their tolerances, up to a million.
+        Number of bearings to sample from their tolerances, up to a million.
     seed
         Seed of the random numbers.
     """

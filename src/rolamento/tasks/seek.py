@@ -135,9 +135,9 @@ class Goal:
 
 
 class GoalSeek(CaseRequest):
-    """Solve for the input that gives an output its value.
+    """Find the input that brings an output to a target value.
 
-    Any field of a case for any result of one number, over a range in which all solutions are found
+    Any field of a case, for any result of one number: in the range of the field, all solutions
     that a curve of 25 points shows.
 
     Parameters
@@ -149,7 +149,7 @@ class GoalSeek(CaseRequest):
         Output and the value that it should have, such as 'stiffness_xx=200 N/um' or
         'life_hours=20000 h'.
     log
-        Vary by equal ratios.
+        Logarithmic spacing of the values.
 
     >>> duty = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
     >>> field, goal = "duty.load.fz=2..20kN", "max_inner_max_pressure=2 GPa"

@@ -303,7 +303,7 @@ class VibrationSeverity(SignalRequest):
     support
         Support: rigid or flexible.
     group
-        Group of ISO 20816-3, 1 or 2, instead.
+        Group of ISO 20816-3, 1 or 2, instead of the power.
     machine_class
         Class of ISO 10816-1, I to IV, instead of a group.
     baseline

@@ -193,7 +193,7 @@ class PlotRequest(FindingRequest):
         File to write: .png, .svg or .pdf; by default RESULT's name with .png, in this folder.
     """
 
-    results: Annotated[Any, Input("", "files", essential=True, metavar="RESULT...")]
+    results: Annotated[Any, Input("", "files", essential=True, metavar="RESULT")]
     kind: Annotated[str | None, Input("", "choice", choices=_kinds)] = None
     variable: Annotated[str | None, Input(example="stiffness_zz", metavar="NAME")] = None
     over: Annotated[str | None, Input(example="inner_speed", metavar="NAME")] = None

@@ -68,7 +68,7 @@ class VibrationDiagnosis(SignalRequest):
     track
         Track the speed in the vibration itself, around --speed; at least 96 revolutions.
     within
-        Of a tracked speed from the one given: up to 30 % (default 10 %).
+        Maximum deviation of a tracked speed from the one given, up to 30 % (default 10 %).
     tolerance
         Maximum deviation of the cage from its expected speed, 0 to 0.1.
     speed_tolerance

@@ -738,7 +738,7 @@ class DemonstrationTest(Request):
     time
         Test time of each bearing: their number is calculated.
     failures_allowed
-        Failures with which the test is still passed.
+        Number of failures with which the test still passes.
     shape
         Expected shape of the Weibull distribution.
     reliability
