@@ -245,7 +245,7 @@ def check_end(process: subprocess.Popen[str], says: str, since: float | None = N
     out, errors = process.communicate(timeout=120)
     seconds = time.monotonic() - begin
     assert (process.returncode, out) == (2, "")
-    assert errors.startswith("rolamento: scheduler: ")
+    assert errors.startswith("rolamento: --scheduler: ")
     assert says in errors
     assert errors.count("\n") == 1
     assert seconds < 2.0 * LONGEST  # twice, for the machine may be busy
