@@ -327,6 +327,26 @@ def test_many_cases_are_each_as_alone_compiled_or_not() -> None:
 # --- limits ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("law", ["slices", "coupled"])
+def test_what_begins_from_a_memory_is_what_begins_anew(law: str) -> None:
+    case = case_of(NU205, duty={"inner_speed": "6000 rpm"}, model={"roller_contact": law})
+    row = row_of(case)
+    place = np.array([0.0, 2e-6, 30e-6, 2e-3, 0.0])
+    anew = held_at(row, place)
+    far = anew.memory + np.array([0.0, 0.0, 0.0, 0.0, 0.0, *[1.0, 0.3] * 13])  # nowhere near
+    steps = []
+    for memory in (anew.memory, held_at(row, 0.9 * place).memory, far):
+        held = row.respond(place[np.newaxis], np.array([0]), memory)
+        assert held.number[0] == anew.number[0]
+        assert held.residual[0] <= 1e-10
+        assert held.force == pytest.approx(anew.force, rel=1e-9, abs=1e-9 * anew.scale[0])
+        largest = np.abs(anew.stiffness).max()
+        assert held.stiffness == pytest.approx(anew.stiffness, rel=1e-6, abs=1e-6 * largest)
+        steps.append(int(held.solution.steps[0]))
+    assert steps[0] == 0
+    assert steps[1] < anew.solution.steps[0]
+
+
 def test_centrifugal_force_is_the_difference_of_both_races() -> None:
     solved = solve(
         case_of(NU205, duty={"load": {"fz": "2 kN"}, "inner_speed": "15000 rpm"}),
