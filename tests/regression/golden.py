@@ -284,7 +284,8 @@ def _is_finite(value: Any) -> bool:
 
 _FLOORS: Final = (  # the least scale, in SI units, of what is nothing but rounding in some cases
     (re.compile(r"displacement\.[tr]$"), 1e-6),
-    (re.compile(r"contact_angle|attitude|yaw|spin_to_roll"), 1e-3),
+    (re.compile(r"contact_angle|attitude|yaw|spin_to_roll|rollers\.tilt"), 1e-3),
+    (re.compile(r"stiffness_tr"), 1.0),
     (re.compile(r"load\.m$|force_across$"), 1.0),
     (re.compile(r"gyroscopic_moment"), 1e-3),
     (re.compile(r"(parts|heat|torque_by_source)\.spin"), 1e-6),

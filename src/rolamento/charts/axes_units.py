@@ -58,7 +58,7 @@ RPM: Final = ReadableUnit("rpm", units.rpm_of(1.0))
 PERCENT: Final = ReadableUnit("%", 1e2)
 NONE: Final = ReadableUnit("–", 1.0)
 CELSIUS: Final = ReadableUnit("°C", 1.0)
-"""Of values that are counted from 0 °C already."""
+"""For values that count from 0 °C already."""
 
 _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
     "": ((0.0, NONE),),
