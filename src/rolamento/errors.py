@@ -130,17 +130,13 @@ def respelled(
         return text
     if text.message is None:
         return _as_arguments(text.values, names, written, between)
-    return said(
-        text.message,
-        **{
-            name: respelled(value, names, written, between)
-            if isinstance(value, Phrase)
-            else names.get(value, value)
-            if isinstance(value, str)
-            else value
-            for name, value in text.values.items()
-        },
-    )
+
+    def other(value: Any) -> Any:
+        if isinstance(value, Phrase):
+            return respelled(value, names, written, between)
+        return names.get(value, value) if isinstance(value, str) else value
+
+    return said(text.message, **{name: other(value) for name, value in text.values.items()})
 
 
 def _as_arguments(
