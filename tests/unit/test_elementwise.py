@@ -21,11 +21,10 @@ from rolamento.numerics.elementwise import MANY, of_each
 
 RANDOM = np.random.default_rng(50)
 LOOPS: tuple[tuple[Any, Any, int, int], ...] = (
-    (elliptic.usual_associate, elliptic._fill, 1, 2),
+    (elliptic.by_mean, elliptic._fill, 1, 2),
     (ellipse._start, ellipse._fill_start, 1, 1),
     (ellipse._followed, ellipse._fill_followed, 6, 4),
-    (hertz._cubed, hertz._fill_cubed, 5, 2),
-    (hertz._pressed, hertz._fill_pressed, 5, 5),
+    (hertz._pressed, hertz._fill_pressed, 6, 5),
     (geometry._curvatures, geometry._fill_curvatures, 5, 2),
     (ball._turned, ball._fill_turned, 10, 7),
     (ball._orbit, ball._fill_orbit, 7, 1),
@@ -59,9 +58,9 @@ def test_a_loop_gives_what_numpy_gives(formula: Any, loop: Any, given: int, coun
 def test_columns_and_numbers_stand_beside_arrays() -> None:
     q = RANDOM.uniform(1.0, 9.0, (MANY // 16, 16))
     column, number = RANDOM.uniform(1.0, 9.0, (MANY // 16, 1)), np.asarray(2.0)
-    given = (q, column, number, number, column)
-    found = of_each(hertz._cubed, hertz._fill_cubed, 2, *given)
-    for one, other in zip(found, hertz._cubed(*given), strict=True):
+    given = (q, column, number, number, column, number)
+    found = of_each(hertz._pressed, hertz._fill_pressed, 5, *given)
+    for one, other in zip(found, hertz._pressed(*given), strict=True):
         np.testing.assert_array_equal(one, np.broadcast_to(other, q.shape))
 
 
@@ -115,10 +114,12 @@ def test_motion_takes_an_angle_for_its_numbers() -> None:
 
 
 def test_the_mean_takes_more_steps_where_it_needs_them() -> None:
-    assert elliptic._steps(1e-5) == elliptic.STEPS
-    assert elliptic._steps(1e-6) > elliptic.STEPS
     one, both = elliptic.associate(np.array([0.3])), elliptic.associate(np.array([0.3, 1e-200]))
     assert both[1][0] == pytest.approx(one[1][0], rel=1e-15)
+    slender = np.array([1e-6, 1e-16, 5e-324])  # D is K - 1, K is ln(4/√(1 - m)), DLMF 19.12.1
+    assert elliptic.associate(slender)[1] == pytest.approx(
+        np.log(4.0) - 0.5 * np.log(slender) - 1.0, rel=1e-6
+    )
 
 
 def test_nearly_round_ellipses_follow_the_circle() -> None:

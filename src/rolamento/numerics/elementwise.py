@@ -42,9 +42,8 @@ def of_each(
     Arrays of the broadcast shape. The loop runs over many numbers of a process that has the
     compiler.
     """
-    if not at_hand() or max(array.size for array in arrays) < MANY:
-        return formula(*arrays)
-    if goes_plainly(loop, little=False):
+    few = max(array.size for array in arrays) < MANY
+    if few or not at_hand() or goes_plainly(loop, little=False):
         return formula(*arrays)
     whole = np.broadcast_arrays(*arrays)
     out = np.empty((count, whole[0].size))
