@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import Kernel, at_hand
@@ -22,7 +23,10 @@ MANY: Final = 4096
 
 
 def of_each(
-    formula: Kernel[..., tuple[Any, ...]], loop: Kernel[..., None], count: int, *arrays: FloatArray
+    formula: Kernel[..., tuple[Any, ...]],
+    loop: Kernel[..., None],
+    count: int,
+    *arrays: NDArray[Any],
 ) -> tuple[FloatArray, ...]:
     """Return what a formula makes of each number, the same to the last bit either way.
 

@@ -76,7 +76,7 @@ class BallRow:
     @property
     def shape(self) -> tuple[int, int]:
         """Cases and balls."""
-        return self.cases, self.element_count
+        return self.p.cases, self.element_count
 
     @property
     def cases(self) -> int:
@@ -213,20 +213,15 @@ class BallRow:
             traction.cage_drag, mesh=traction.mesh, film=traction.film, threads=self.threads,
         )  # fmt: skip
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BallAnswer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         balls = cast(BallResponse, held)
         balls.position[lost], balls.displacement[lost] = np.nan, np.nan
         if balls.motion is not None:
             balls.motion.forget(lost)
-        return BallAnswer(
-            self.p,
-            np.broadcast_to(self.control, (self.cases, self.element_count)),
-            balls.position,
-            balls.displacement,
-            shown,
-            balls.motion,
-        )
+        return BallAnswer(self.p, control, balls.position, balls.displacement, shown, balls.motion)
 
 
 def ball_row(bearing: BallParameters, running: Running) -> BallRow:
@@ -286,25 +281,19 @@ class BallAnswer:
         return table.load, table.angle
 
     @cached_property
-    def _azimuth(self) -> FloatArray:
-        return ball_azimuths(self.p, self.position.shape[1])
-
-    @cached_property
     def _contacts(self) -> tuple[ContactTable, ContactTable]:
         """Inner and outer."""
-        return contact_tables(self.p, self.displacement, self.position, self._azimuth, self.motion)
+        return contact_tables(self.p, self.displacement, self.position, self.motion)
 
     def tables(self) -> Tables:
         """Evaluate every ball of every case."""
-        azimuth = self._azimuth
         found = ball_table(
-            self.p, self.control, self.displacement, self.position, azimuth, self.motion,
-            self._contacts,
-        )  # fmt: skip
-        motion = found.motion
+            self.p, self.control, self.displacement, self.position, self.motion, self._contacts
+        )
+        motion, balls = found.motion, self.position.shape[1]
         elements = Elements(
-            row=np.zeros(azimuth.shape[1], np.int64),
-            azimuth=azimuth,
+            row=np.zeros(balls, np.int64),
+            azimuth=ball_azimuths(self.p, balls),
             centrifugal_force=found.centrifugal_force,
             gyroscopic_moment=found.gyroscopic_moment,
             orbital_speed=motion.orbital_speed,
@@ -313,14 +302,17 @@ class BallAnswer:
             yaw=found.yaw,
             raceway_control=self.shown,
         )
-        return Tables(
-            elements,
-            _pressed(found.inner, motion.inner_spin, motion.inner_roll),
-            _pressed(found.outer, motion.outer_spin, motion.outer_roll),
-            None if self.motion is None else self._rolling(self.motion, found.inner, found.outer),
+        inner, outer = (
+            Pressed(one.load, one.angle, one.deflection, one.approach, spin, roll)
+            for one, spin, roll in (
+                (found.inner, motion.inner_spin, motion.inner_roll),
+                (found.outer, motion.outer_spin, motion.outer_roll),
+            )
         )
+        rolling = None if self.motion is None else self._rolling(self.motion, inner, outer)
+        return Tables(elements, inner, outer, rolling)
 
-    def _rolling(self, motion: Motion, inner: ContactTable, outer: ContactTable) -> Rolling | None:
+    def _rolling(self, motion: Motion, inner: Pressed, outer: Pressed) -> Rolling | None:
         if not np.isfinite(motion.cage_speed).any():
             return None
         return Rolling(
@@ -351,9 +343,3 @@ class BallAnswer:
             force_along=forces[..., 2],
             force_across=sideways,
         )
-
-
-def _pressed(table: ContactTable, spin: FloatArray, roll: FloatArray) -> Pressed:
-    found = Pressed(table.load, table.angle.value, table.deflection, table.approach, spin, roll)
-    vars(found)["angle"] = table.angle
-    return found

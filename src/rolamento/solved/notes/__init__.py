@@ -40,20 +40,23 @@ __all__ = [
 ]
 
 _OF_ANY: Final = (
-    bearing.other_than_said, bearing.lost_rows, bearing.lost_contacts, balls.pressures,
-    bearing.speeds, bearing.tilts, bearing.free_directions, bearing.free_tilt,
-    bearing.estimated_geometry, bearing.letters, bearing.nearly_lost,
+    bearing.lost_contacts, balls.pressures, bearing.speeds, bearing.tilts, bearing.free_directions,
 )  # fmt: skip
+_OF_DESIGNATION: Final = (bearing.other_than_said, bearing.estimated_geometry, bearing.letters)
+"""Checks of what a designation says, if there is one."""
+_OF_ROWS: Final = (bearing.lost_rows, bearing.nearly_lost)
+"""Checks of several rows beside each other."""
 _OF_ROLLERS: Final = (
     rollers.rollers_unloaded, rollers.line_pressures, rollers.misaligned,
     rollers.on_part_of_the_length, rollers.ends,
 )  # fmt: skip
 """Checks of the rollers of a ring, whatever else rolls in it."""
 _ORDER: Final = (
-    *_OF_ANY[:4], balls.past_edge, balls.shoulders, *_OF_ANY[4:8], balls.control, balls.orbits,
-    balls.gyroscopic_slip, balls.gyroscopic_left_out, balls.arches, balls.rolling, *_OF_ANY[8:],
-    bearing.radial_load_on_thrust, balls.four_point_load, rollers.axial_load_on_torus,
-    *_OF_ROLLERS,
+    bearing.other_than_said, bearing.lost_rows, *_OF_ANY[:2], balls.past_edge, balls.shoulders,
+    *_OF_ANY[2:], bearing.free_tilt, balls.control, balls.orbits, balls.gyroscopic_slip,
+    balls.gyroscopic_left_out, balls.arches, balls.rolling, *_OF_DESIGNATION[1:],
+    bearing.nearly_lost, bearing.radial_load_on_thrust, balls.four_point_load,
+    rollers.axial_load_on_torus, *_OF_ROLLERS,
 )  # fmt: skip
 CHECKS: Final[Mapping[str, Callable[[Solved], Iterator[Note]]]] = {
     check.__name__: check for check in _ORDER
@@ -65,8 +68,13 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     """The notes on a single case; none without a result."""
     if not solved.converged[0]:
         return ()
-    brought = [{*one.notes} for one in solved.case.bearing.row_types]
-    wanted = set.intersection(*brought) | {check.__name__ for check in _OF_ANY}
-    if solved.rollers is not None:
-        wanted |= {check.__name__ for check in _OF_ROLLERS}
+    bearing = solved.case.bearing
+    common = (
+        *_OF_ANY,
+        *(_OF_DESIGNATION if bearing.resolved is not None else ()),
+        *(_OF_ROWS if len(solved.rows) > 1 else ()),
+        *(_OF_ROLLERS if solved.rollers is not None else ()),
+    )
+    brought = set.intersection(*({*one.notes} for one in bearing.row_types))
+    wanted = brought | {check.__name__ for check in common}
     return tuple(note for name, check in CHECKS.items() if name in wanted for note in check(solved))
