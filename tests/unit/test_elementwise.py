@@ -24,7 +24,7 @@ LOOPS: tuple[tuple[Any, Any, int, int], ...] = (
     (elliptic.by_mean, elliptic._fill, 1, 2),
     (ellipse._start, ellipse._fill_start, 1, 1),
     (ellipse._followed, ellipse._fill_followed, 6, 4),
-    (hertz._pressed, hertz._fill_pressed, 6, 5),
+    (hertz._pressed, hertz._fill_pressed, 5, 5),
     (geometry._curvatures, geometry._fill_curvatures, 5, 2),
     (ball._turned, ball._fill_turned, 10, 7),
     (ball._orbit, ball._fill_orbit, 7, 1),
@@ -58,7 +58,7 @@ def test_a_loop_gives_what_numpy_gives(formula: Any, loop: Any, given: int, coun
 def test_columns_and_numbers_stand_beside_arrays() -> None:
     q = RANDOM.uniform(1.0, 9.0, (MANY // 16, 16))
     column, number = RANDOM.uniform(1.0, 9.0, (MANY // 16, 1)), np.asarray(2.0)
-    given = (q, column, number, number, column, number)
+    given = (q, column, number, number, column)
     found = of_each(hertz._pressed, hertz._fill_pressed, 5, *given)
     for one, other in zip(found, hertz._pressed(*given), strict=True):
         np.testing.assert_array_equal(one, np.broadcast_to(other, q.shape))

@@ -226,33 +226,31 @@ def elliptical_contact(
     if not valid.all():
         x, y = np.where(valid, x, np.nan), np.where(valid, y, np.nan)
     q = np.where(q >= 0.0, q, np.nan)
-    total = x + y
     k, first, second = ellipse_of_log_ratio(-np.abs(np.log(x / y)))
-    b = np.cbrt(6.0 / np.pi * q * second / (k * total * e))
-    a, *others = of_each(_pressed, _fill_pressed, 5, b, total, k, first, second, e)
+    strain = (x + y) / second
+    b = np.cbrt(6.0 / np.pi * q / (strain * k * e))
+    a, *others = of_each(_pressed, _fill_pressed, 5, b, strain, k, first, e)
     return HertzContact(*np.broadcast_arrays(q, a, b, *others, k, second))
 
 
 @inline_exact
 def _pressed(
-    b: FloatArray, total: FloatArray, k: FloatArray, first: FloatArray, second: FloatArray,
-    modulus: FloatArray,
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """Semi-major axis, deflection, maximum and mean pressure, and stiffness; total: Σρ."""
-    strain = total / second
-    approach = 0.5 * strain * first  # δ/b²
+    b: FloatArray, strain: FloatArray, k: FloatArray, first: FloatArray, modulus: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Semi-major axis, deflection, maximum and mean pressure, and stiffness; strain: Σρ/E(m)."""
     p0 = 0.25 * b * strain * modulus
+    approach = 0.5 * strain * first  # δ/b²
     stiffness = np.pi / 6.0 * strain * k * modulus / (approach * np.sqrt(approach))
     return k * b, approach * (b * b), p0, 2.0 / 3.0 * p0, stiffness
 
 
 @kernel
 def _fill_pressed(
-    b: FloatArray, total: FloatArray, k: FloatArray, first: FloatArray, second: FloatArray,
-    modulus: FloatArray, out: FloatArray,
+    b: FloatArray, strain: FloatArray, k: FloatArray, first: FloatArray, modulus: FloatArray,
+    out: FloatArray,
 ) -> None:  # fmt: skip
     """Fill out, (5, numbers)."""
     for i in range(b.size):
         out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = _pressed(
-            b[i], total[i], k[i], first[i], second[i], modulus[i]
+            b[i], strain[i], k[i], first[i], modulus[i]
         )
