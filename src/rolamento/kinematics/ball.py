@@ -223,7 +223,7 @@ def orbital_speed(
     rings = (np.asarray(inner_speed), np.asarray(outer_speed))
     ratio = np.asarray(diameter_ratio, dtype=np.float64)
     (orbit,) = of_each(
-        _orbit, _fill_orbit, 1, inner.cosine, outer.cosine, inner.cosine_to(outer), ratio, *rings,
+        _orbit, _fill_orbit, 1, inner.cosine, inner.sine, outer.cosine, outer.sine, ratio, *rings,
         control_codes(control),
     )  # fmt: skip
     return np.asarray(orbit)
@@ -231,13 +231,14 @@ def orbital_speed(
 
 @inline_exact
 def _orbit(
-    cos_i: FloatArray, cos_o: FloatArray, between: FloatArray, ratio: FloatArray,
+    cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
     inner_ring: FloatArray, outer_ring: FloatArray, control: FloatArray,
 ) -> tuple[FloatArray]:  # fmt: skip
-    """ω_m by raceway control, with w the share of the slave ring; between: cos(α_i - α_o)."""
+    """ω_m by raceway control, with w the share of the slave ring."""
     by_outer = control >= 0.0
     sigma = choose(by_outer, 1.0, -1.0)
     slave = choose(by_outer, cos_i, cos_o)
+    between = cos_i * cos_o + sin_i * sin_o  # cos(α_i - α_o)
     share = (1.0 - sigma * ratio * slave) / (1.0 + np.maximum(between, LEAST_COSINE))
     control_ring = choose(by_outer, outer_ring, inner_ring)
     return (control_ring + sigma * (inner_ring - outer_ring) * share,)
@@ -245,13 +246,20 @@ def _orbit(
 
 @kernel
 def _fill_orbit(
-    cos_i: FloatArray, cos_o: FloatArray, between: FloatArray, ratio: FloatArray,
+    cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
     inner_ring: FloatArray, outer_ring: FloatArray, control: FloatArray, out: FloatArray,
 ) -> None:  # fmt: skip
     """Fill out, (1, numbers)."""
     for i in range(ratio.size):
         (out[0, i],) = _orbit(
-            cos_i[i], cos_o[i], between[i], ratio[i], inner_ring[i], outer_ring[i], control[i]
+            cos_i[i],
+            sin_i[i],
+            cos_o[i],
+            sin_o[i],
+            ratio[i],
+            inner_ring[i],
+            outer_ring[i],
+            control[i],
         )
 
 

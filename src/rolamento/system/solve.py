@@ -93,8 +93,9 @@ def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
     """Solve under the raceway control asked for: solution, control used, verdict to show."""
     if mode == "jones":
         return solve_by_jones(system)
-    race, shape = -1 if mode == "inner" else 1, system.shape
-    if race < 0:
+    shape, race = system.shape, 1  # the outer, by itself
+    if mode == "inner":
+        race = -1
         system = system.guided(np.full((1, shape[1]), -1.0))
     return system.solve(), np.broadcast_to(float(race), shape), np.broadcast_to(race, shape)
 
@@ -127,7 +128,7 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
             element_count=np.array([placed.row.element_count for placed, _ in faces]),
             position=_side_by_side([placed.position for placed, _ in faces]),
             load=carried,
-            element=tuple(place.bearing.element for place in cases.case.bearing.places),
+            element=tuple(one.bearing.element for one in cases.case.bearing.places),
             **{
                 name: _side_by_side([getattr(own, name) for own in geometry])
                 for name in (*GEOMETRY_COLUMNS, "effective_length")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +22,12 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import TINY
 from rolamento.rows.ball.problem import Columns, directions
 from rolamento.rows.ball.rolling import Rolling, motion_of
+from rolamento.solved import Pressed
 
 Floats = NDArray[np.float64]
 
 
-@frozen
-class ContactTable:
+class ContactTable(NamedTuple):
     """One race's contacts: load (N), angle, deflection (m); (cases, balls).
 
     approach (m) is the deflection, or a gap below zero; past the edge of the groove it is into the
@@ -44,8 +44,8 @@ class ContactTable:
 class BallTable:
     """The balls of a batch; every field (cases, balls), SI, NaN where a case has no result."""
 
-    inner: ContactTable
-    outer: ContactTable
+    inner: Pressed
+    outer: Pressed
     motion: BallMotion
     centrifugal_force: Floats
     gyroscopic_moment: Floats
@@ -89,8 +89,8 @@ def ball_table(
     # J / gamma' D is the parameter: times gamma' D, it is J again
     inertia = column[layout.GYROSCOPIC] * column[layout.GAMMA] * column[layout.BALL_DIAMETER]
     return BallTable(
-        inner=inner,
-        outer=outer,
+        inner=Pressed(*inner, motion.inner_spin, motion.inner_roll),
+        outer=Pressed(*outer, motion.outer_spin, motion.outer_roll),
         motion=motion,
         centrifugal_force=column[layout.CENTRIFUGAL] * motion.orbital_speed**2,
         gyroscopic_moment=inertia
@@ -180,7 +180,7 @@ def _stiffness(column: Columns, first: int, cosine: Floats) -> Floats:
     return np.asarray(value)
 
 
-def hertz(p: Columns, contacts: ContactTable, race: Race) -> HertzContact:
+def hertz(p: Columns, contacts: Pressed, race: Race) -> HertzContact:
     """Ellipse and pressure of every contact of a race at its loaded angle; (cases, balls)."""
     column = p.over_balls()
     diameter = column[layout.BALL_DIAMETER]

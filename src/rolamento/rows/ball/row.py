@@ -15,7 +15,13 @@ from rolamento.geometry import Angle, Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table, contact_tables
+from rolamento.rows.ball.detail import (
+    BallTable,
+    ContactTable,
+    axial_load,
+    ball_table,
+    contact_tables,
+)
 from rolamento.rows.ball.problem import (
     Columns,
     apply_model,
@@ -41,7 +47,6 @@ from rolamento.solved import (
     Elements,
     Index,
     IntArray,
-    Pressed,
     Rolling,
     RollingContacts,
     Tables,
@@ -302,17 +307,10 @@ class BallAnswer:
             yaw=found.yaw,
             raceway_control=self.shown,
         )
-        inner, outer = (
-            Pressed(one.load, one.angle, one.deflection, one.approach, spin, roll)
-            for one, spin, roll in (
-                (found.inner, motion.inner_spin, motion.inner_roll),
-                (found.outer, motion.outer_spin, motion.outer_roll),
-            )
-        )
-        rolling = None if self.motion is None else self._rolling(self.motion, inner, outer)
-        return Tables(elements, inner, outer, rolling)
+        rolling = None if self.motion is None else self._rolling(self.motion, found)
+        return Tables(elements, found.inner, found.outer, rolling)
 
-    def _rolling(self, motion: Motion, inner: Pressed, outer: Pressed) -> Rolling | None:
+    def _rolling(self, motion: Motion, balls: BallTable) -> Rolling | None:
         if not np.isfinite(motion.cage_speed).any():
             return None
         return Rolling(
@@ -322,8 +320,8 @@ class BallAnswer:
             outer_torque=motion.torque("outer"),
             imbalance=motion.imbalance,
             angular_velocity=motion.angular_velocity,
-            inner=self._rolling_contacts(motion, "inner", inner.angle.value),
-            outer=self._rolling_contacts(motion, "outer", outer.angle.value),
+            inner=self._rolling_contacts(motion, "inner", balls.inner.angle.value),
+            outer=self._rolling_contacts(motion, "outer", balls.outer.angle.value),
         )
 
     def _rolling_contacts(self, motion: Motion, race: Race, angle: FloatArray) -> RollingContacts:

@@ -37,7 +37,7 @@ MOST_WORK: Final = 1.5e5
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
 LEAST_INERTIA: Final = 1e-7
-"""Approach under a ball's own centrifugal force, over the groove's offset, that counts at first."""
+"""Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
 PLAIN: Final = attrgetter("python")
 """The form of a kernel that is not compiled."""
 UNSCALED: Final = np.ones((1, layout.DEGREES_OF_FREEDOM))
@@ -202,11 +202,11 @@ def compile_all(p: Columns, control: Floats, balls: int) -> None:
 
 
 def has_inertia(p: Columns, least: float = LEAST_INERTIA) -> NDArray[np.bool_]:
-    """Which columns are solved with the balls' inertia from the first; with least = 0, may be.
+    """Which columns are solved with the balls' inertia from the first; all that have any: least 0.
 
-    least: the approach under a ball's own centrifugal force, over the groove's offset, that counts.
     The others are tried as at rest: their centrifugal force alone would press a ball in by
     (F/K)^(2/3), not much more than the 1e-16 of the groove's offset to which that is known.
+    least: that approach over the offset, from which on it counts.
     """
     speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
     force = np.maximum(p[layout.CENTRIFUGAL], 5.0 * p[layout.GYROSCOPIC]) * (0.5 * speed) ** 2

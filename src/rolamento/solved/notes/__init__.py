@@ -46,6 +46,13 @@ _OF_DESIGNATION: Final = (bearing.other_than_said, bearing.estimated_geometry, b
 """Checks of what a designation says, if there is one."""
 _OF_ROWS: Final = (bearing.lost_rows, bearing.nearly_lost)
 """Checks of several rows beside each other."""
+_OF_CONTROL: Final[Mapping[str, tuple[str, ...]]] = {
+    "control": ("outer", "inner", "jones"),
+    "orbits": ("inner", "jones"),
+    "gyroscopic_slip": ("outer", "inner", "jones", "none"),
+    "rolling": ("friction",),
+}
+"""The raceway controls of the model that a check is about, where it is not about all."""
 _OF_ROLLERS: Final = (
     rollers.rollers_unloaded, rollers.line_pressures, rollers.misaligned,
     rollers.on_part_of_the_length, rollers.ends,
@@ -68,13 +75,18 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     """The notes on a single case; none without a result."""
     if not solved.converged[0]:
         return ()
-    bearing = solved.case.bearing
+    case, control = solved.case, solved.case.model.raceway_control
     common = (
         *_OF_ANY,
-        *(_OF_DESIGNATION if bearing.resolved is not None else ()),
+        *(_OF_DESIGNATION if case.bearing.resolved is not None else ()),
         *(_OF_ROWS if len(solved.rows) > 1 else ()),
         *(_OF_ROLLERS if solved.rollers is not None else ()),
     )
-    brought = set.intersection(*({*one.notes} for one in bearing.row_types))
+    brought = set.intersection(*({*one.notes} for one in case.bearing.row_types))
     wanted = brought | {check.__name__ for check in common}
-    return tuple(note for name, check in CHECKS.items() if name in wanted for note in check(solved))
+    return tuple(
+        note
+        for name, check in CHECKS.items()
+        if name in wanted and control in _OF_CONTROL.get(name, (control,))
+        for note in check(solved)
+    )
