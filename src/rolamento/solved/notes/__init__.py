@@ -8,7 +8,7 @@ Their sentences are in `rolamento.words.sentences.solved`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from rolamento.solved.notes import balls, bearing, rollers
 from rolamento.solved.notes.advice import advice_on
@@ -39,6 +39,8 @@ __all__ = [
     "usual_misalignments",
 ]
 
+_Check: TypeAlias = Callable[["Solved"], Iterator[Note]]
+
 _OF_ANY: Final = (
     bearing.lost_contacts, balls.pressures, bearing.speeds, bearing.tilts, bearing.free_directions,
 )  # fmt: skip
@@ -46,11 +48,11 @@ _OF_DESIGNATION: Final = (bearing.other_than_said, bearing.estimated_geometry, b
 """Checks of what a designation says, if there is one."""
 _OF_ROWS: Final = (bearing.lost_rows, bearing.nearly_lost)
 """Checks of several rows beside each other."""
-_OF_CONTROL: Final[Mapping[str, tuple[str, ...]]] = {
-    "control": ("outer", "inner", "jones"),
-    "orbits": ("inner", "jones"),
-    "gyroscopic_slip": ("outer", "inner", "jones", "none"),
-    "rolling": ("friction",),
+_OF_CONTROL: Final[Mapping[_Check, tuple[str, ...]]] = {
+    balls.control: ("outer", "inner", "jones"),
+    balls.orbits: ("inner", "jones"),
+    balls.gyroscopic_slip: ("outer", "inner", "jones", "none"),
+    balls.rolling: ("friction",),
 }
 """The raceway controls of the model that a check is about, where it is not about all."""
 _OF_ROLLERS: Final = (
@@ -65,9 +67,7 @@ _ORDER: Final = (
     bearing.nearly_lost, bearing.radial_load_on_thrust, balls.four_point_load,
     rollers.axial_load_on_torus, *_OF_ROLLERS,
 )  # fmt: skip
-CHECKS: Final[Mapping[str, Callable[[Solved], Iterator[Note]]]] = {
-    check.__name__: check for check in _ORDER
-}
+CHECKS: Final[Mapping[str, _Check]] = {check.__name__: check for check in _ORDER}
 """Every check by its name, in the order of the notes."""
 
 
@@ -87,6 +87,6 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     return tuple(
         note
         for name, check in CHECKS.items()
-        if name in wanted and control in _OF_CONTROL.get(name, (control,))
+        if name in wanted and control in _OF_CONTROL.get(check, (control,))
         for note in check(solved)
     )
