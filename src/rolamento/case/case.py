@@ -286,7 +286,7 @@ class Case(Record):
         if bearing.kind is not None and control not in allowed:
             raise InputError(
                 said(
-                    'must be one of {allowed} with bearing.kind = "{kind}"',
+                    'must be one of {allowed} with `bearing.kind` = "{kind}"',
                     allowed=", ".join(allowed),
                     kind=bearing.kind,
                 ),
@@ -297,8 +297,8 @@ class Case(Record):
         if bearing.kind is not None and of.with_cage_only and model.cage == "none":
             raise InputError(
                 said(
-                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
-                    " cage",
+                    'must be loose or rigid with `bearing.kind` = "{kind}": the balls orbit with'
+                    " the cage",
                     kind=bearing.kind,
                 ),
                 field="model.cage",
