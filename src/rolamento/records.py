@@ -54,7 +54,11 @@ def _frozen(
 ) -> Any:
     own = frozenset(vars(cls))
     made: Any = dataclass(init=False, repr=False, eq=False, kw_only=kw_only, slots=slots)(cls)
-    methods = {"__repr__": concise, "__setattr__": _refused, "__delattr__": _refused}
+    methods: dict[str, Any] = {
+        "__repr__": concise,
+        "__setattr__": _refused,
+        "__delattr__": _refused,
+    }
     if init:
         methods["__init__"] = _Init(made)
     if eq:

@@ -46,7 +46,7 @@ _FAMILIES = (  # where kernels live, each with the formulas that they are compil
     ("numerics", "friction"),
     ("numerics", "."),
 )
-_DECORATED = re.compile(r"^ *@(\w*kernel|shared|filling|inline_\w+|vector_loop)$", re.MULTILINE)
+_DECORATED = r"(?m)^ *@(\w*kernel|shared|filling|inline_\w+|vector_loop)$"
 _CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
 
@@ -394,4 +394,4 @@ def _discard_stale_caches() -> None:
 
 def _is_compiled(source: Path) -> bool:
     """Whether a file holds kernels or formulas, or constants that they were compiled with."""
-    return source.stem in _CONSTANTS or bool(_DECORATED.search(source.read_text("utf-8")))
+    return source.stem in _CONSTANTS or bool(re.search(_DECORATED, source.read_text("utf-8")))
