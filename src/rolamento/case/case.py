@@ -124,7 +124,7 @@ class Case(Record):
         examples=["[bearing] as a table"]
     )
     duty: Duty = Field(examples=["[duty] as a table"])
-    model: Model = Field(default_factory=Model)
+    model: Model = Field(default_factory=Model.model_construct)
     lubricant: LubricantField | None = Field(None, examples=["ISO VG 68"])
     surface: Surface | None = Field(None, examples=["[surface] as a table"])
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])

@@ -68,6 +68,8 @@ _RULES: Final = {
 class Record(BaseModel):
     """A frozen record of validated fields; equal and hashable by value.
 
+    What a field is by default, `model_construct` makes: that needs no validation, nor its schema.
+
     Raises
     ------
     InputError

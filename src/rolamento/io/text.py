@@ -40,10 +40,9 @@ LineIndex = dict[tuple[str, ...], int]
 
 _KEY_PART: Final = r"""(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*')"""
 _DOTTED: Final = rf"{_KEY_PART}(?:[ \t]*\.[ \t]*{_KEY_PART})*"
-_TOML_TABLE: Final = re.compile(rf"[ \t]*\[{{1,2}}[ \t]*({_DOTTED})[ \t]*\]")
-_TOML_KEY: Final = re.compile(rf"[ \t]*({_DOTTED})[ \t]*=")
-_PART: Final = re.compile(_KEY_PART)
-_JSON_TOKEN: Final = re.compile(r'"(?:[^"\\]|\\.)*"|[{}:\n]')
+_TOML_TABLE: Final = rf"[ \t]*\[{{1,2}}[ \t]*({_DOTTED})[ \t]*\]"
+_TOML_KEY: Final = rf"[ \t]*({_DOTTED})[ \t]*="
+_JSON_TOKEN: Final = r'"(?:[^"\\]|\\.)*"|[{}:\n]'
 
 _LARGEST_FILE: Final = 1_000_000
 # The standard library's TOML reader takes memory with the square of the parts of a
@@ -167,9 +166,9 @@ def _check_keys(table: Sized, source: str = "") -> None:
         raise FileError(rule, source=source)
 
 
-_REXS: Final = re.compile(
-    r"""\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<model\s[^>]*version\s*=|\s*\{\s*"model"\s*:\s*\{""",
-    re.DOTALL,
+_REXS: Final = (
+    r"""(?s)\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<model\s[^>]*version\s*="""
+    r"""|\s*\{\s*"model"\s*:\s*\{"""
 )
 """How a model begins as XML (.rexs) and as JSON (.rexsj): REXS 1.4, FVA."""
 
@@ -182,7 +181,7 @@ def _refuse_rexs(text: str, source: str) -> None:
     FileError
         If it is one.
     """
-    if not _REXS.match(text[:2000]) or not re.search(r"\b(?:relations|components)\b", text):
+    if not re.match(_REXS, text[:2000]) or not re.search(r"\b(?:relations|components)\b", text):
         return
     raise FileError(
         said("is a REXS model of a gear unit; make a machine file of it first"),
@@ -312,22 +311,22 @@ def line_of(field: str, index: LineIndex) -> int | None:
 def _toml_keys(text: str) -> Iterator[tuple[tuple[str, ...], int]]:
     table: tuple[str, ...] = ()
     for number, line in enumerate(text.split("\n"), start=1):
-        if match := _TOML_TABLE.match(line):
+        if match := re.match(_TOML_TABLE, line):
             table = _parts(match[1])
             yield table, number
-        elif match := _TOML_KEY.match(line):
+        elif match := re.match(_TOML_KEY, line):
             yield (*table, *_parts(match[1])), number
 
 
 def _parts(dotted: str) -> tuple[str, ...]:
-    return tuple(part.strip("\"'") for part in _PART.findall(dotted))
+    return tuple(part.strip("\"'") for part in re.findall(_KEY_PART, dotted))
 
 
 def _json_keys(text: str) -> Iterator[tuple[tuple[str, ...], int]]:
     """Follow the braces: a string before a colon is a key of the innermost object."""
     path: list[str] = []
     line, name, name_line = 1, "", 1
-    for match in _JSON_TOKEN.finditer(text):
+    for match in re.finditer(_JSON_TOKEN, text):
         token = match[0]
         if token == "\n":
             line += 1
