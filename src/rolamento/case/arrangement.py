@@ -231,12 +231,16 @@ def element_by_designation(given: Mapping[str, Any]) -> str | None:
     return None
 
 
-def element_of_row(row: object) -> str:
-    """What rolls in a row, as a record or as a table that nobody has checked."""
+def element_of_row(row: object, of_bearing: str | None = None) -> str:
+    """What rolls in a row, as a record or as a table that nobody has checked.
+
+    of_bearing: what rolls in its bearing, if that is said; balls otherwise.
+    """
     if not isinstance(row, Mapping):
         return str(getattr(row, "element", BALL))
-    told = element_by_designation(row) if "element" not in row else None
-    return str(row.get("element", told or BALL))
+    if "element" in row:
+        return str(row["element"])
+    return element_by_designation(row) or of_bearing or BALL
 
 
 RowOfElements = Annotated[BallRow | RollerRow, ByElement(element_by_designation)]

@@ -18,7 +18,7 @@ from pydantic.fields import FieldInfo
 from rolamento.case.former import current
 from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import AT_THE_BORDER, Quantity, Ratio
 from rolamento.case.record import (
     Record,
     example_of,
@@ -458,8 +458,9 @@ def in_file_form(name: str, value: Any, record: type[Record]) -> object:
 
 
 def _mapping_of(value: object, record: type[Record] | None) -> object:
-    if isinstance(value, Mapping) and record is not None:
-        value = record(**value)
+    if isinstance(value, Mapping) and record is not None:  # what it leaves unsaid stays so
+        read = record(**value)
+        return read.model_dump(context=AT_THE_BORDER, exclude_none=True, exclude_unset=True)
     return value.to_mapping() if isinstance(value, Record) else value
 
 

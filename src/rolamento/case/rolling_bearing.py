@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import lru_cache
 from typing import (
@@ -356,6 +356,7 @@ class RollingBearing(Record):
         if not isinstance(given, Mapping):
             return handler(given)
         in_file = at_the_border(info.context)
+        given = _with_elements_of_rows(given)
         designation = as_text(given.get("designation"))
         records: tuple[CatalogueBearing, ...] = ()
         if isinstance(designation, str):
@@ -416,8 +417,7 @@ class RollingBearing(Record):
     @classmethod
     def _of_first_row(cls, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
         """Return the geometry that the first row of this kind gives and the bearing does not."""
-        rows = given.get("rows")
-        for row in rows if isinstance(rows, list | tuple) else ():
+        for row in _listed_rows(given):
             told = row if isinstance(row, Mapping) else getattr(row, "own", {})
             if BY_ELEMENT.get(element_of_row(row)) is cls:
                 break
@@ -540,11 +540,10 @@ def element_named(given: Mapping[str, Any]) -> str | None:
 
     Balls, if any row is of balls: a set of both has their record.
     """
-    rows = given.get("rows")
-    elements = [element_of_row(row) for row in (rows if isinstance(rows, list | tuple) else ())]
+    by_designation = element_by_designation(given)
+    elements = [element_of_row(row, by_designation) for row in _listed_rows(given)]
     if elements:
         return BALL if BALL in elements else elements[0]
-    by_designation = element_by_designation(given)
     if by_designation is not None:
         return by_designation
     if any(name.startswith("roller_") for name in given):
@@ -554,6 +553,25 @@ def element_named(given: Mapping[str, Any]) -> str | None:
             example='element = "cylindrical"',
         )
     return None
+
+
+def _listed_rows(given: Mapping[str, Any]) -> Sequence[Any]:
+    """The rows of a table that nobody has checked; none of what is no list."""
+    rows = given.get("rows")
+    return rows if isinstance(rows, list | tuple) else ()
+
+
+def _with_elements_of_rows(given: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Let what rolls in the bearing roll in the rows that do not say."""
+    rows = _listed_rows(given)
+    if not rows:
+        return given
+    element = given.get("element") or element_by_designation(given)
+    own = (
+        {**row, "element": element_of_row(row, element)} if isinstance(row, Mapping) else row
+        for row in rows
+    )
+    return {**given, "rows": tuple(own)}
 
 
 def _own_fields(given: Mapping[str, Any]) -> set[str]:
