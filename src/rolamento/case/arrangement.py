@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.profile import ProfileField
-from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
+from rolamento.case.quantity import Count, Line, Quantity, Replaces
 from rolamento.case.record import ByElement, Record, elements_of, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
 from rolamento.types import BALL, PLAIN_ROLLER, Ribs, RollerElement
@@ -57,7 +57,7 @@ _Phase = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 de
 _Offset = Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")]
 _Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
 _Diameter = Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")]
-_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
+_Conformity = Annotated[float, Quantity(at_least=0.501, at_most=1.0)]
 
 
 class _Row(Record):
@@ -220,10 +220,21 @@ def as_text(value: object) -> object:
     return value
 
 
+def entry_of(table: Any, name: str) -> Any:
+    """What a record, or a table that nobody has checked, has of a name; None of anything else."""
+    return table.get(name) if isinstance(table, Mapping) else getattr(table, name, None)
+
+
+def designation_of(table: Any) -> str | None:
+    """The designation of a bearing or a row, as a record or as a table; None without one."""
+    designation = as_text(entry_of(table, "designation"))
+    return designation if isinstance(designation, str) else None
+
+
 def element_by_designation(given: Mapping[str, Any]) -> str | None:
     """What rolls in a table's designation; None where there is none, or the catalogue lacks it."""
-    designation = as_text(given.get("designation"))
-    if isinstance(designation, str):
+    designation = designation_of(given)
+    if designation is not None:
         from rolamento.catalogue import catalogue
 
         with suppress(InputError):

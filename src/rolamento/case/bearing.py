@@ -19,7 +19,7 @@ from rolamento.case.arrangement import (
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
 from rolamento.case.parameters import BallParameters, Rule
-from rolamento.case.quantity import Quantity, Ratio, Replaces
+from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
@@ -37,7 +37,7 @@ from rolamento.words import said
 
 __all__ = ["Bearing", "RowPlace", "ball_bearing", "clearance_fits"]
 
-_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
+_Conformity = Annotated[float, Quantity(at_least=0.501, at_most=1.0, varies=True)]
 
 LEAST_THRUST_ANGLE: Final = math.radians(45.0)
 

@@ -4,10 +4,11 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from math import isclose
-from typing import TYPE_CHECKING, Annotated, Any, Final, Self
+from typing import TYPE_CHECKING, Annotated, Any, Final, Self, cast
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
+from rolamento.case.arrangement import designation_of, entry_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES, Duty
 from rolamento.case.electrical import Electrical
@@ -21,7 +22,7 @@ from rolamento.case.losses import Losses
 from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
-from rolamento.case.quantity import Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Line
 from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
@@ -146,10 +147,13 @@ class Case(Record):
         """Fill in sizes that a designation gives, and pass it the ratings that are given."""
         if not isinstance(given, Mapping):
             return handler(given)
-        if isinstance(given.get("bearing"), str) and not at_the_border(info.context):
+        in_file = info.context == AT_THE_BORDER
+        if isinstance(given.get("bearing"), str) and not in_file:
             given = {"duty": Duty(), **given, "bearing": {"designation": given["bearing"]}}
+        if designation_of(given.get("bearing")) is None:
+            return handler(given)
         with _known(_rated_bearing(given)):
-            filled = dict(_with_catalogue_sizes(given, in_file=at_the_border(info.context)))
+            filled = dict(_with_catalogue_sizes(given, in_file=in_file))
             bearing = filled.get("bearing")
             if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
                 filled["bearing"] = bearing.looked_up_again()
@@ -637,14 +641,11 @@ def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
     bearing, life = given.get("bearing"), given.get("life")
     if isinstance(bearing, RollingBearing) and not bearing.from_given_ratings:
         return ()  # it knows its balls
-    designation = _designation_of(bearing)
-    if designation is None:
-        return ()
     from rolamento.catalogue import with_ratings
 
-    ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]
+    ratings = [_force(entry_of(life, name)) for name in ("dynamic_rating", "static_rating")]
     try:
-        return with_ratings(designation, *ratings)
+        return with_ratings(cast("str", designation_of(bearing)), *ratings)
     except InputError:
         return ()
 
@@ -658,10 +659,6 @@ def _known(rated: "Sequence[CatalogueBearing]") -> AbstractContextManager[object
     return listed(rated)
 
 
-def _entry(table: Any, name: str) -> Any:
-    return table.get(name) if isinstance(table, Mapping) else getattr(table, name, None)
-
-
 def _force(value: Any) -> float | None:
     """A rating in N, of a number or a text with its unit; None of anything else."""
     try:
@@ -672,32 +669,22 @@ def _force(value: Any) -> float | None:
     return float(found) if is_number and 0.0 < found < _MOST_FORCE else None
 
 
-def _designation_of(bearing: Any) -> str | None:
-    designation = _entry(bearing, "designation")
-    if isinstance(designation, int) and not isinstance(designation, bool):
-        return str(designation)
-    return designation if isinstance(designation, str) else None
-
-
 def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
     return name == "mounting" or table.get("starvation") == "replenishment"
 
 
 def _sizes_of(bearing: Any) -> dict[str, float]:
     """What the catalogue gives; nothing of what is no designation, which others refuse."""
-    if isinstance(bearing, Bearing):
+    if isinstance(bearing, RollingBearing):
         known = bearing.published
-        return {} if known is None else {name: getattr(known, name) for name in _SIZES}
-    designation = _designation_of(bearing) if isinstance(bearing, Mapping) else None
-    if designation is None:
-        return {}
-    from rolamento.catalogue import catalogue
+    else:
+        from rolamento.catalogue import catalogue
 
-    try:
-        found = catalogue().find(designation).bearing
-    except InputError:
-        return {}
-    return {name: getattr(found, name) for name in _SIZES}
+        try:
+            known = catalogue().find(cast("str", designation_of(bearing))).bearing
+        except InputError:
+            return {}
+    return {name: getattr(known, name) for name in _SIZES}
 
 
 def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -719,11 +706,14 @@ def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
 
 def _case_from(mapping: Mapping[str, Any], changes: Changes, otherwise: Iterable[str] = ()) -> Case:
     lacking = [one for one in otherwise if one.partition(".")[0] not in mapping]
-    tables, _ = overridden(mapping, lacking, Case)
+    if lacking:
+        mapping, _ = overridden(mapping, lacking, Case)
+    if not changes:
+        return Case.from_mapping(mapping)
     changes = _full_names(changes) if isinstance(changes, Mapping) else changes
-    tables, fields = overridden(tables, changes, Case)
+    mapping, fields = overridden(mapping, changes, Case)
     try:
-        return Case.from_mapping(tables)
+        return Case.from_mapping(mapping)
     except InputError as error:
         by_option = not isinstance(changes, Mapping)
         if by_option and any(

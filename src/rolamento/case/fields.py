@@ -18,7 +18,7 @@ from pydantic.fields import FieldInfo
 from rolamento.case.former import current
 from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
-from rolamento.case.quantity import AT_THE_BORDER, Quantity, Ratio
+from rolamento.case.quantity import AT_THE_BORDER, Quantity
 from rolamento.case.record import (
     Record,
     example_of,
@@ -95,8 +95,8 @@ class Field:
         return "number" if self.bounds is not None else _kind_of(self._info)
 
     @cached_property
-    def bounds(self) -> Quantity | Ratio | None:
-        """The `Quantity` or `Ratio` of a number."""
+    def bounds(self) -> Quantity | None:
+        """The `Quantity` of a number."""
         return _bounds_in(self._info)
 
     @property
@@ -107,7 +107,7 @@ class Field:
     @property
     def dimension(self) -> Dimension | None:
         """Dimension of a quantity; None of anything else."""
-        return self.bounds.dimension if isinstance(self.bounds, Quantity) else None
+        return None if self.bounds is None else self.bounds.dimension
 
     @property
     def continuous(self) -> bool:
@@ -322,16 +322,16 @@ def _choices_in(annotation: object) -> Iterator[str]:
             yield from _choices_in(part)
 
 
-def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
+def _bounds_in(info: FieldInfo) -> Quantity | None:
     """The annotation that bounds a number; None of a list of them."""
     if _is_list(info):
         return None
     return next(_numbers_in((*info.metadata, info.annotation)), None)
 
 
-def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity | Ratio]:
+def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity]:
     for part in parts:
-        if isinstance(part, Quantity | Ratio):
+        if isinstance(part, Quantity):
             yield part
         yield from _numbers_in((*getattr(part, "__metadata__", ()), *get_args(part)))
 

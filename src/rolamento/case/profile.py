@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Final, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
 from rolamento.words import said
@@ -81,7 +81,7 @@ class Profile(Record):
     has_short_form: ClassVar = True
 
     kind: ProfileKind = Field(examples=["iso"])
-    factor: Annotated[float, Ratio(above=0.0, at_most=0.01)] | None = Field(
+    factor: Annotated[float, Quantity(above=0.0, at_most=0.01)] | None = Field(
         None, examples=[0.00035]
     )
     amplitude: Annotated[float, Quantity("length", above="0 mm", at_most="10 mm")] | None = Field(

@@ -37,12 +37,13 @@ from rolamento.case.arrangement import (
     RollerRow,
     RowOfElements,
     as_text,
+    designation_of,
     element_by_designation,
     element_of_row,
 )
 from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
-from rolamento.case.quantity import Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Line
 from rolamento.case.record import Record
 from rolamento.errors import InputError, phrase
 from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
@@ -355,16 +356,18 @@ class RollingBearing(Record):
         """Fill in what a designation or the first row gives, without making it the user's own."""
         if not isinstance(given, Mapping):
             return handler(given)
-        in_file = at_the_border(info.context)
-        given = _with_elements_of_rows(given)
-        designation = as_text(given.get("designation"))
+        in_file = info.context == AT_THE_BORDER
+        designation, rows = designation_of(given), _listed_rows(given)
+        found: dict[str, Any] = {}
         records: tuple[CatalogueBearing, ...] = ()
-        if isinstance(designation, str):
+        if rows:
+            given = {**given, "rows": _with_elements(rows, given)}
+        if designation is not None:
             geometry = cls._geometry(designation, given)
             given = {**given, **_preload_of_this(geometry, given)}
             found = cls._of_catalogue(geometry, given, in_file=in_file)
             records = geometry.records
-        else:
+        elif rows:
             found = cls._of_first_row(given, in_file=in_file)
         cls._adjust(given, found, in_file=in_file)
         bearing = handler({**given, **found})
@@ -417,15 +420,12 @@ class RollingBearing(Record):
     @classmethod
     def _of_first_row(cls, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
         """Return the geometry that the first row of this kind gives and the bearing does not."""
-        for row in _listed_rows(given):
-            told = row if isinstance(row, Mapping) else getattr(row, "own", {})
-            if BY_ELEMENT.get(element_of_row(row)) is cls:
-                break
-        else:
-            return {}
+        rows = (row for row in given["rows"] if BY_ELEMENT.get(element_of_row(row)) is cls)
+        row = next(rows, None)
+        told = row if isinstance(row, Mapping) else getattr(row, "own", {})
         own = _own_fields(given)
-        designation = told.get("designation")
-        if isinstance(designation, str):
+        designation = designation_of(told)
+        if designation is not None:
             filled = {**given, **{name: v for name, v in told.items() if name in cls.FILLED_IN}}
             listed = cls._of_catalogue(cls._geometry(designation, filled), filled, in_file=in_file)
             told = {**listed, **told}
@@ -441,7 +441,7 @@ class RollingBearing(Record):
         fields: dict[str, Any] = handler(self)
         for name in self._never_written:
             fields.pop(name, None)
-        if not at_the_border(info.context):
+        if info.context != AT_THE_BORDER:
             return fields
         alone = (self.designation or self.rows) is None
         unsaid = ({self.MATERIAL} if alone else self.FILLED_IN.keys()) - self.model_fields_set
@@ -561,17 +561,13 @@ def _listed_rows(given: Mapping[str, Any]) -> Sequence[Any]:
     return rows if isinstance(rows, list | tuple) else ()
 
 
-def _with_elements_of_rows(given: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Let what rolls in the bearing roll in the rows that do not say."""
-    rows = _listed_rows(given)
-    if not rows:
-        return given
+def _with_elements(rows: Sequence[Any], given: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Rows of a table that say what rolls in them: what rolls in the bearing, where they do not."""
     element = given.get("element") or element_by_designation(given)
-    own = (
+    return tuple(
         {**row, "element": element_of_row(row, element)} if isinstance(row, Mapping) else row
         for row in rows
     )
-    return {**given, "rows": tuple(own)}
 
 
 def _own_fields(given: Mapping[str, Any]) -> set[str]:

@@ -31,7 +31,7 @@ from rolamento.case.machine import (
     with_values,
 )
 from rolamento.case.machine_files import with_files
-from rolamento.case.quantity import Count, Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Count, Line
 from rolamento.case.record import Record
 from rolamento.case.variant import Variant, with_the_case
 from rolamento.errors import InputError
@@ -300,7 +300,7 @@ class Study(Record):
     def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
         """Leave out what says nothing, where a person reads."""
         table: dict[str, Any] = handler(self)
-        if not at_the_border(info.context):
+        if info.context != AT_THE_BORDER:
             return table
         kept = {key: value for key, value in table.items() if value not in ("", (), [], None)}
         return {
