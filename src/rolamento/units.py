@@ -409,8 +409,6 @@ def _familiar_unit(value: float, dimension: Dimension) -> str:
         return "kN" if abs(value) >= 1e3 else "N"
     if dimension == "stress":
         return "GPa" if abs(value) >= 1e9 else "MPa"
-    if dimension == "density":
-        return "kg/m^3"
     return next(iter(_COMMON[dimension]))
 
 

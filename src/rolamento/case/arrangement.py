@@ -220,14 +220,10 @@ def as_text(value: object) -> object:
     return value
 
 
-def entry_of(table: Any, name: str) -> Any:
-    """What a record, or a table that nobody has checked, has of a name; None of anything else."""
-    return table.get(name) if isinstance(table, Mapping) else getattr(table, name, None)
-
-
-def designation_of(table: Any) -> str | None:
+def designation_of(given: Any) -> str | None:
     """The designation of a bearing or a row, as a record or as a table; None without one."""
-    designation = as_text(entry_of(table, "designation"))
+    told = given if isinstance(given, Mapping) else getattr(given, "__dict__", {})
+    designation = as_text(told.get("designation"))
     return designation if isinstance(designation, str) else None
 
 

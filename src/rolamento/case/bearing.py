@@ -61,6 +61,12 @@ def _grooves_of(told: Mapping[str, Any]) -> BearingType | None:
     return of_grooves(str(kind)) if kind in get_args(Grooves) else None
 
 
+def _right_angle_of_washers(told: dict[str, Any]) -> float | None:
+    """The contact angle that nobody gives: of a thrust bearing."""
+    grooves = _grooves_of(told)
+    return 0.5 * math.pi if grooves is not None and grooves.washers else None
+
+
 def _sphere_if_any(told: dict[str, Any]) -> float:
     """The outer conformity that nobody gives: of a self-aligning bearing, else NaN for missing."""
     grooves = _grooves_of(told)
@@ -177,9 +183,7 @@ def _shoulder_rule(name: str) -> Rule:
 
 _RULES: Final = (
     Rule(lambda b: b.pitch_diameter > b.ball_diameter, _too_small_a_circle),
-    Rule(
-        lambda b: elements_fit(b.element_count, b.ball_diameter, b.pitch_diameter), _too_many_balls
-    ),
+    Rule(elements_fit, _too_many_balls),
     Rule(_angle_within, _angle_beyond),
     Rule(_elastic_play, _play_beyond),
     _shoulder_rule("inner_shoulder_height"),
@@ -302,7 +306,7 @@ class Bearing(RollingBearing):
     contact_angle: Annotated[
         Annotated[float, Quantity("angle", at_least="0 deg", at_most="90 deg", varies=True)] | None,
         Replaces("diametral_clearance"),
-    ] = Field(None, examples=["40 deg"])
+    ] = Field(default_factory=_right_angle_of_washers, examples=["40 deg"])
     diametral_clearance: Annotated[
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None,
         Replaces("contact_angle"),
@@ -345,11 +349,6 @@ class Bearing(RollingBearing):
         """D of a ball; m."""
         return self.ball_diameter
 
-    @property
-    def element_material(self) -> Material:
-        """Material of the balls."""
-        return self.ball_material
-
     def _rows_by_kind(self) -> tuple[RowPlace, ...]:
         """Rows of contacts, each as it would be alone: one groove a ring, at its own angle.
 
@@ -380,15 +379,10 @@ class Bearing(RollingBearing):
         return self.row_angle if self.bearing_type.washers else 0.0
 
     @classmethod
-    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
-        """A thrust bearing is one of 90°, and the sphere of a self-aligning one follows."""
-        merged = {**given, **found}
-        grooves = _grooves_of(merged)
-        if grooves is None:
-            return
-        if grooves.washers and merged.get("contact_angle") is None:
-            found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
-        if grooves.aligns:
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any]) -> None:
+        """The sphere of a self-aligning bearing follows."""
+        grooves = _grooves_of({**given, **found})
+        if grooves is not None and grooves.aligns:
             found.pop("outer_conformity", None)
 
     @property

@@ -2,13 +2,12 @@
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from math import isclose
 from typing import TYPE_CHECKING, Annotated, Any, Final, Self, cast
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
-from rolamento.case.arrangement import designation_of, entry_of
+from rolamento.case.arrangement import designation_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES, Duty
 from rolamento.case.electrical import Electrical
@@ -152,7 +151,9 @@ class Case(Record):
             given = {"duty": Duty(), **given, "bearing": {"designation": given["bearing"]}}
         if designation_of(given.get("bearing")) is None:
             return handler(given)
-        with _known(_rated_bearing(given)):
+        from rolamento.catalogue import listed
+
+        with listed(_rated_bearing(given)):
             filled = dict(_with_catalogue_sizes(given, in_file=in_file))
             bearing = filled.get("bearing")
             if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
@@ -209,10 +210,9 @@ class Case(Record):
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:
         """A ring does not move by a ball: such a value has the wrong unit."""
-        limit = self.bearing.element_diameter
         for axis in ("x", "y", "z"):
             shift = getattr(self.duty.displacement, axis)
-            if shift is not None and abs(shift) > limit:
+            if shift is not None and abs(shift) > (limit := self.bearing.element_diameter):
                 longest = readable(limit, "length")
                 raise InputError(
                     said("must be at most the ball diameter, {limit}", limit=longest)
@@ -639,24 +639,16 @@ def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
     Nothing of what is wrong: others refuse it.
     """
     bearing, life = given.get("bearing"), given.get("life")
+    told = life if isinstance(life, Mapping) else getattr(life, "__dict__", {})
     if isinstance(bearing, RollingBearing) and not bearing.from_given_ratings:
         return ()  # it knows its balls
     from rolamento.catalogue import with_ratings
 
-    ratings = [_force(entry_of(life, name)) for name in ("dynamic_rating", "static_rating")]
+    ratings = [_force(told.get(name)) for name in ("dynamic_rating", "static_rating")]
     try:
         return with_ratings(cast("str", designation_of(bearing)), *ratings)
     except InputError:
         return ()
-
-
-def _known(rated: "Sequence[CatalogueBearing]") -> AbstractContextManager[object]:
-    """Look up designations among some bearings too; the catalogue is not read for none."""
-    if not rated:
-        return nullcontext()
-    from rolamento.catalogue import listed
-
-    return listed(rated)
 
 
 def _force(value: Any) -> float | None:

@@ -91,6 +91,12 @@ def _is_conical(told: Mapping[str, Any]) -> bool:
     return kind is not None and kind.conical
 
 
+def _right_angle_of_washers(told: dict[str, Any]) -> float | None:
+    """The contact angle that nobody gives: between washers."""
+    kind = _type_of(told)
+    return 0.5 * math.pi if kind is not None and kind.washers else None
+
+
 def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
     """φ of tapered rollers that roll along all their length; None of others."""
     names = ("roller_diameter", "pitch_diameter", "contact_angle")
@@ -365,10 +371,7 @@ def _check_rings(bearing: "RollerBearing") -> None:
 
 _RULES: Final = (
     Rule(lambda b: b.pitch_diameter > b.roller_diameter, _too_small_a_circle),
-    Rule(
-        lambda b: elements_fit(b.element_count, b.roller_diameter, b.pitch_diameter),
-        _too_many_rollers,
-    ),
+    Rule(elements_fit, _too_many_rollers),
     Rule(_cones_meet_the_axis, _cones_do_not),
     Rule(_elastic_play, _play_beyond),
     Rule(lambda b: b.effective_length <= b.roller_length * (1.0 + _ROUNDING), _too_short),
@@ -542,7 +545,7 @@ class RollerBearing(RollingBearing):
     ] = Field(examples=["38.5 mm"])
     contact_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", at_most="90 deg", varies=True)] | None
-    ) = Field(None, examples=["14 deg"])
+    ) = Field(default_factory=_right_angle_of_washers, examples=["14 deg"])
     roller_half_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg", varies=True)] | None
     ) = Field(default_factory=_half_angle_of_one_apex, examples=["2 deg"])
@@ -587,13 +590,12 @@ class RollerBearing(RollingBearing):
     preload: PreloadField | None = Field(None, examples=["500 N"])
 
     @classmethod
-    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any]) -> None:
         """Rollers of another shape than the catalogue's have their own ends; washers are flat."""
         kind = _type_of({"element": PLAIN_ROLLER, **given, **found})
         if kind is not None and kind.washers:
-            if given.get("contact_angle") is None:
-                found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
-            found.pop("diametral_clearance", None)
+            for name in ("contact_angle", "diametral_clearance"):
+                found.pop(name, None)
         if any(given.get(name) is not None for name in _SHAPE):
             found.pop("roller_end_radius", None)
 
@@ -616,11 +618,6 @@ class RollerBearing(RollingBearing):
     def element_diameter(self) -> float:
         """D_we of a roller, in the middle of a tapered one; m."""
         return self.roller_diameter
-
-    @property
-    def element_material(self) -> Material:
-        """Material of the rollers."""
-        return self.roller_material
 
     @property
     def carries_one_way(self) -> bool:

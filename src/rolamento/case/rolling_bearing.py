@@ -202,7 +202,7 @@ class RollingBearing(Record):
     @property
     def element_material(self) -> "Material":
         """Material of the rolling elements."""
-        raise NotImplementedError
+        return cast("Material", getattr(self, self.MATERIAL))
 
     @property
     def elements_follow_rings(self) -> bool:
@@ -283,7 +283,7 @@ class RollingBearing(Record):
     @property
     def element_rows(self) -> "tuple[RowPlace, ...]":
         """Those of the `places` that have elements of their own: one of a four-point bearing."""
-        return self.places[:: self.bearing_type.contacts_per_ring]
+        return self.places[:: 2 if self.bearing_type.has_arches else 1]
 
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
@@ -369,15 +369,16 @@ class RollingBearing(Record):
             records = geometry.records
         elif rows:
             found = cls._of_first_row(given, in_file=in_file)
-        cls._adjust(given, found, in_file=in_file)
+        if found:
+            cls._adjust(given, found)
         bearing = handler({**given, **found})
         bearing.__pydantic_fields_set__.difference_update(found)
         cast("dict[str, Any]", bearing.__pydantic_private__)["_listed"] = records
         return bearing
 
     @classmethod
-    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
-        """Add to what is filled in, or take away from it, by what both say together."""
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any]) -> None:
+        """Take away from what is filled in, by what both say together."""
 
     @classmethod
     def _geometry(cls, designation: str, given: Mapping[str, Any]) -> "InternalGeometry":
@@ -530,9 +531,10 @@ def _written(value: float, dimension: Dimension) -> str:
     return from_si(value, dimension)
 
 
-def elements_fit(count: int, diameter: Any, pitch_diameter: Any) -> Any:
-    """Whether neighbours on the pitch circle do not overlap; numbers or arrays."""
-    return diameter / pitch_diameter <= math.sin(math.pi / count)
+def elements_fit(bearing: Any) -> Any:
+    """Whether neighbours on the pitch circle do not overlap, of a record or parameters."""
+    room = math.sin(math.pi / bearing.element_count)
+    return bearing.element_diameter / bearing.pitch_diameter <= room
 
 
 def element_named(given: Mapping[str, Any]) -> str | None:
