@@ -49,6 +49,7 @@ _RULES: Final = {
     "int_type": marked("must be an integer"),
     "string_type": marked("must be text"),
     "string_unicode": marked("must be text"),
+    "string_pattern_mismatch": marked("must be one line without control characters"),
     "string_too_long": marked("must be at most {max_length} characters long"),
     "greater_than_equal": marked("must be at least {ge:.6g}"),
     "less_than_equal": marked("must be at most {le:.6g}"),
