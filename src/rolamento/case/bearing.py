@@ -31,7 +31,7 @@ from rolamento.case.rolling_bearing import (
 )
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, ring_geometry, sphere_conformity
-from rolamento.types import BearingType, Grooves, of_balls, of_grooves
+from rolamento.types import BALL, BearingType, Grooves, of_balls, type_of_element
 from rolamento.units import from_si, readable
 from rolamento.words import said
 
@@ -58,7 +58,7 @@ def _required_unless_told(schema: dict[str, Any]) -> None:
 def _grooves_of(told: Mapping[str, Any]) -> BearingType | None:
     """The type of grooves that a table names; None of plain ones, and of what nobody knows."""
     kind = told.get("kind")
-    return of_grooves(str(kind)) if kind in get_args(Grooves) else None
+    return type_of_element(BALL, str(kind)) if kind in get_args(Grooves) else None
 
 
 def _right_angle_of_washers(told: dict[str, Any]) -> float | None:
@@ -336,7 +336,7 @@ class Bearing(RollingBearing):
     def bearing_type(self) -> BearingType:
         """By its grooves, else by its contact angle."""
         if self.kind is not None:
-            return of_grooves(self.kind)
+            return type_of_element(BALL, self.kind)
         return of_balls(angled=self.contact_angle is not None)
 
     @property

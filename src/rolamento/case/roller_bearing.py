@@ -35,7 +35,6 @@ from rolamento.types import (
     Ribs,
     RollerElement,
     RollerRings,
-    of_grooves,
     type_of_element,
 )
 from rolamento.units import readable
@@ -81,9 +80,7 @@ def _type_of(told: Mapping[str, Any]) -> BearingType | None:
     element, kind = told.get("element"), told.get("kind")
     if element not in get_args(RollerElement):
         return None
-    if kind in get_args(RollerRings):
-        return of_grooves(str(kind), str(element))
-    return type_of_element(str(element))
+    return type_of_element(str(element), str(kind) if kind in get_args(RollerRings) else None)
 
 
 def _is_conical(told: Mapping[str, Any]) -> bool:
@@ -602,9 +599,7 @@ class RollerBearing(RollingBearing):
     @property
     def bearing_type(self) -> BearingType:
         """By its rings where they are not plain, else by its rollers."""
-        if self.kind is not None:
-            return of_grooves(self.kind, self.element)
-        return type_of_element(self.element)
+        return type_of_element(self.element, self.kind)
 
     def _rows_by_kind(self) -> tuple[RowPlace, ...]:
         return rows_about_centre(self.model_copy(update={"kind": None}), self.row_angle)
