@@ -133,6 +133,14 @@ def test_a_set_of_both_kinds() -> None:
         ball_bearing(case)
 
 
+@pytest.mark.parametrize("bearing", [RollerBearing.named("NU 205"), Bearing.named("6205")])
+def test_a_mounting_takes_its_sizes_from_a_bearings_record(bearing: Any) -> None:
+    case = Case(bearing=bearing, duty={}, mounting={"shaft_tolerance": "k5"})
+    assert case.mounting is not None
+    sizes = case.mounting.bore, case.mounting.outside_diameter
+    assert sizes == pytest.approx((0.025, 0.052))
+
+
 @pytest.mark.parametrize(
     ("bearing", "elements"),
     [
