@@ -168,6 +168,9 @@ def test_a_row_that_does_not_say_is_of_its_bearings_elements(
         return
     one = case_of({**given, "rows": [{"element": elements[0], "position": "0 mm"}]})
     assert case.with_(bearing__rows=[{"position": 0.0}]) == one
+    count = next(name for name in ("roller_count", "ball_count") if hasattr(case.bearing, name))
+    fewer = case.with_(bearing__rows=[{"position": 0.0, count: 9}])
+    assert [place.bearing.element_count for place in fewer.bearing.places] == [9]
 
 
 def test_rows_by_designation_are_those_bearings() -> None:

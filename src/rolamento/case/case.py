@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from math import isclose
-from typing import TYPE_CHECKING, Annotated, Any, Final, Self, cast
+from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
@@ -149,12 +149,13 @@ class Case(Record):
         in_file = info.context == AT_THE_BORDER
         if isinstance(given.get("bearing"), str) and not in_file:
             given = {"duty": Duty(), **given, "bearing": {"designation": given["bearing"]}}
-        if designation_of(given.get("bearing")) is None:
+        designation = designation_of(given.get("bearing"))
+        if designation is None:
             return handler(given)
         from rolamento.catalogue import listed
 
-        with listed(_rated_bearing(given)):
-            filled = dict(_with_catalogue_sizes(given, in_file=in_file))
+        with listed(_rated_bearing(given, designation)):
+            filled = _with_catalogue_sizes(given, designation, in_file=in_file)
             bearing = filled.get("bearing")
             if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
                 filled["bearing"] = bearing.looked_up_again()
@@ -606,13 +607,17 @@ def case_to_json(case: Case) -> str:
     return text_of_mapping(case.to_mapping(), "json")
 
 
-def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping[str, Any]:
+def _with_catalogue_sizes(
+    given: Mapping[str, Any], designation: str, *, in_file: bool
+) -> dict[str, Any]:
     """Return the tables of a case with the sizes that they need and the catalogue gives.
 
     Parameters
     ----------
     given
         The fields of a case: tables or records.
+    designation
+        Of its bearing.
     in_file
         Whether quantities are text with units.
     """
@@ -621,19 +626,17 @@ def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping
         for name in ("mounting", "film")
         if isinstance(table := given.get(name), Mapping) and _needs_sizes(name, table)
     }
-    if not any(missing.values()):
-        return given
-    sizes = _sizes_of(given.get("bearing"))
-    if not sizes:
-        return given
     filled = dict(given)
+    sizes = _sizes_of(given.get("bearing"), designation) if any(missing.values()) else {}
+    if not sizes:
+        return filled
     for name, names in missing.items():
         own = {size: from_si(sizes[size], "length") if in_file else sizes[size] for size in names}
         filled[name] = {**given[name], **own}
     return filled
 
 
-def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
+def _rated_bearing(given: Mapping[str, Any], designation: str) -> "Sequence[CatalogueBearing]":
     """Return the bearing of the designation with the ratings of the life table, where it has none.
 
     Nothing of what is wrong: others refuse it.
@@ -646,7 +649,7 @@ def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
 
     ratings = [_force(told.get(name)) for name in ("dynamic_rating", "static_rating")]
     try:
-        return with_ratings(cast("str", designation_of(bearing)), *ratings)
+        return with_ratings(designation, *ratings)
     except InputError:
         return ()
 
@@ -665,7 +668,7 @@ def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
     return name == "mounting" or table.get("starvation") == "replenishment"
 
 
-def _sizes_of(bearing: Any) -> dict[str, float]:
+def _sizes_of(bearing: Any, designation: str) -> dict[str, float]:
     """What the catalogue gives; nothing of what is no designation, which others refuse."""
     if isinstance(bearing, RollingBearing):
         known = bearing.published
@@ -673,7 +676,7 @@ def _sizes_of(bearing: Any) -> dict[str, float]:
         from rolamento.catalogue import catalogue
 
         try:
-            known = catalogue().find(cast("str", designation_of(bearing))).bearing
+            known = catalogue().find(designation).bearing
         except InputError:
             return {}
     return {name: getattr(known, name) for name in _SIZES}

@@ -361,7 +361,10 @@ def record_for(info: FieldInfo, given: object) -> type[Record] | None:
         marks = (mark.element_of for mark in info.metadata if isinstance(mark, ByElement))
         element_of = next(marks, None)
         element = given.get("element") or (element_of(given) if element_of else None)
-        found.sort(key=lambda record: element not in elements_of(record))  # stable
+        unknown = {record: given.keys() - record.model_fields for record in found}
+        found.sort(
+            key=lambda one: element not in elements_of(one) if element else len(unknown[one])
+        )
     return found[0] if found else None
 
 
