@@ -258,21 +258,11 @@ class Bearing(RollingBearing):
 
     model_config = ConfigDict(json_schema_extra=_required_unless_told)
 
-    FILLED_IN: ClassVar = {
-        "ball_count": None,
-        "ball_diameter": "length",
-        "pitch_diameter": "length",
-        "inner_conformity": None,
-        "outer_conformity": None,
-        "contact_angle": "angle",
-        "diametral_clearance": "length",
-        "kind": None,
-        "shim_angle": "angle",
-        "arrangement": None,
-        "spacing": "length",
-        "ball_material": None,
-        "preload": None,
-    }
+    FILLED_IN: ClassVar = (
+        "ball_count", "ball_diameter", "pitch_diameter", "inner_conformity", "outer_conformity",
+        "contact_angle", "diametral_clearance", "kind", "shim_angle", "arrangement", "spacing",
+        "ball_material", "preload",
+    )  # fmt: skip
     VARIES: ClassVar = (
         "ball_diameter",
         "pitch_diameter",

@@ -21,7 +21,7 @@ from rolamento.case.losses import Losses
 from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
-from rolamento.case.quantity import AT_THE_BORDER, Line
+from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
 from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
@@ -41,7 +41,7 @@ from rolamento.io.text import (
     text_of_mapping,
 )
 from rolamento.io.writing import write_mapping
-from rolamento.units import from_si, readable, to_si
+from rolamento.units import readable, to_si
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -146,8 +146,7 @@ class Case(Record):
         """Fill in sizes that a designation gives, and pass it the ratings that are given."""
         if not isinstance(given, Mapping):
             return handler(given)
-        in_file = info.context == AT_THE_BORDER
-        if isinstance(given.get("bearing"), str) and not in_file:
+        if isinstance(given.get("bearing"), str) and info.context != AT_THE_BORDER:
             given = {"duty": Duty(), **given, "bearing": {"designation": given["bearing"]}}
         designation = designation_of(given.get("bearing"))
         if designation is None:
@@ -155,7 +154,7 @@ class Case(Record):
         from rolamento.catalogue import listed
 
         with listed(_rated_bearing(given, designation)):
-            filled = _with_catalogue_sizes(given, designation, in_file=in_file)
+            filled = _with_catalogue_sizes(given, designation)
             bearing = filled.get("bearing")
             if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
                 filled["bearing"] = bearing.looked_up_again()
@@ -607,9 +606,7 @@ def case_to_json(case: Case) -> str:
     return text_of_mapping(case.to_mapping(), "json")
 
 
-def _with_catalogue_sizes(
-    given: Mapping[str, Any], designation: str, *, in_file: bool
-) -> dict[str, Any]:
+def _with_catalogue_sizes(given: Mapping[str, Any], designation: str) -> dict[str, Any]:
     """Return the tables of a case with the sizes that they need and the catalogue gives.
 
     Parameters
@@ -618,8 +615,6 @@ def _with_catalogue_sizes(
         The fields of a case: tables or records.
     designation
         Of its bearing.
-    in_file
-        Whether quantities are text with units.
     """
     missing = {
         name: [size for size in _SIZES if size not in table]
@@ -631,7 +626,7 @@ def _with_catalogue_sizes(
     if not sizes:
         return filled
     for name, names in missing.items():
-        own = {size: from_si(sizes[size], "length") if in_file else sizes[size] for size in names}
+        own = {size: InSI(sizes[size]) for size in names}
         filled[name] = {**given[name], **own}
     return filled
 

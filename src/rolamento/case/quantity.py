@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["AT_THE_BORDER", "Count", "Line", "Quantity", "Replaces"]
+__all__ = ["AT_THE_BORDER", "Count", "InSI", "Line", "Quantity", "Replaces"]
 
 AT_THE_BORDER: Final = {"border": True}
 """The context in which values cross between text and SI: a file is read or written."""
@@ -61,6 +61,10 @@ _JSON_SCHEMA: Final[dict[Relation, str]] = {
     "below": "exclusiveMaximum",
     "at_most": "maximum",
 }
+
+
+class InSI(float):
+    """A value that the catalogue puts beside those of a file: without a unit, in SI units."""
 
 
 @frozen(slots=False)
@@ -134,7 +138,11 @@ class Quantity:
             number = to_si(value, self.dimension)
         elif isinstance(value, bool) or not isinstance(value, numbers.Real):
             raise InputError(said("must be a number"), value=value)
-        elif self.dimension is not None and info.context == AT_THE_BORDER:
+        elif (
+            self.dimension is not None
+            and info.context == AT_THE_BORDER
+            and not isinstance(value, InSI)
+        ):
             rule = said(
                 "needs a unit of {dimension}, written as text", dimension=name_of(self.dimension)
             )

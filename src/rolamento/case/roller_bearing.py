@@ -470,29 +470,13 @@ class RollerBearing(RollingBearing):
 
     model_config = ConfigDict(json_schema_extra=_required_unless_told)
 
-    FILLED_IN: ClassVar = {
-        "element": None,
-        "kind": None,
-        "roller_count": None,
-        "roller_diameter": "length",
-        "roller_length": "length",
-        "effective_length": "length",
-        "pitch_diameter": "length",
-        "contact_angle": "angle",
-        "roller_half_angle": "angle",
-        "roller_end_radius": "length",
-        "roller_profile_radius": "length",
-        "inner_raceway_radius": "length",
-        "outer_raceway_radius": "length",
-        "diametral_clearance": "length",
-        "inner_ribs": None,
-        "outer_ribs": None,
-        "axial_play": "length",
-        "arrangement": None,
-        "spacing": "length",
-        "roller_material": None,
-        "preload": None,
-    }
+    FILLED_IN: ClassVar = (
+        "element", "kind", "roller_count", "roller_diameter", "roller_length", "effective_length",
+        "pitch_diameter", "contact_angle", "roller_half_angle", "roller_end_radius",
+        "roller_profile_radius", "inner_raceway_radius", "outer_raceway_radius",
+        "diametral_clearance", "inner_ribs", "outer_ribs", "axial_play", "arrangement", "spacing",
+        "roller_material", "preload",
+    )  # fmt: skip
     VARIES: ClassVar = (
         "roller_diameter",
         "effective_length",

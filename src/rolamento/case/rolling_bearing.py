@@ -43,11 +43,10 @@ from rolamento.case.arrangement import (
 )
 from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
-from rolamento.case.quantity import AT_THE_BORDER, Line
+from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
 from rolamento.case.record import Record
 from rolamento.errors import InputError, phrase
 from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
-from rolamento.units import Dimension, from_si
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -108,8 +107,8 @@ class RollingBearing(Record):
     Each kind of rolling element has its record: `Bearing` for balls, `RollerBearing` for rollers.
     """
 
-    FILLED_IN: ClassVar[Mapping[str, Dimension | None]] = {}
-    """What a designation or the first row fills in, by the dimension."""
+    FILLED_IN: ClassVar[tuple[str, ...]] = ()
+    """What a designation or the first row fills in."""
     INSIDE: ClassVar[tuple[str, ...]] = ()
     """Without which the catalogue is asked for the elements."""
     VARIES: ClassVar[tuple[str, ...]] = ()
@@ -356,7 +355,6 @@ class RollingBearing(Record):
         """Fill in what a designation or the first row gives, without making it the user's own."""
         if not isinstance(given, Mapping):
             return handler(given)
-        in_file = info.context == AT_THE_BORDER
         designation, rows = designation_of(given), _listed_rows(given)
         found: dict[str, Any] = {}
         records: tuple[CatalogueBearing, ...] = ()
@@ -365,10 +363,10 @@ class RollingBearing(Record):
         if designation is not None:
             geometry = cls._geometry(designation, given)
             given = {**given, **_preload_of_this(geometry, given)}
-            found = cls._of_catalogue(geometry, given, in_file=in_file)
+            found = cls._of_catalogue(geometry, given)
             records = geometry.records
         elif rows:
-            found = cls._of_first_row(given, in_file=in_file)
+            found = cls._of_first_row(given)
         if found:
             cls._adjust(given, found)
         bearing = handler({**given, **found})
@@ -389,11 +387,11 @@ class RollingBearing(Record):
 
     @classmethod
     def _of_catalogue(
-        cls, geometry: "InternalGeometry", given: Mapping[str, Any], *, in_file: bool
+        cls, geometry: "InternalGeometry", given: Mapping[str, Any]
     ) -> dict[str, Any]:
         """Return the fields that a designation gives and the user does not."""
         own = _own_fields(given)
-        missing = cls.FILLED_IN.keys() - own
+        missing = set(cls.FILLED_IN) - own
         if own.intersection(cls.RIVALS):
             missing -= set(cls.RIVALS)
         if "rows" in own:
@@ -413,13 +411,13 @@ class RollingBearing(Record):
             if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
                 told["preload"] = _listed_preload(geometry, given)
         for name in missing & told.keys():
-            value, dimension = told[name], cls.FILLED_IN[name]
+            value = told[name]
             if value is not None:
-                found[name] = _written(value, dimension) if in_file and dimension else value
+                found[name] = InSI(value) if isinstance(value, float) else value
         return found
 
     @classmethod
-    def _of_first_row(cls, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
+    def _of_first_row(cls, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the geometry that the first row of this kind gives and the bearing does not."""
         rows = (row for row in given["rows"] if BY_ELEMENT.get(element_of_row(row)) is cls)
         row = next(rows, None)
@@ -428,7 +426,7 @@ class RollingBearing(Record):
         designation = designation_of(told)
         if designation is not None:
             filled = {**given, **{name: v for name, v in told.items() if name in cls.FILLED_IN}}
-            listed = cls._of_catalogue(cls._geometry(designation, filled), filled, in_file=in_file)
+            listed = cls._of_catalogue(cls._geometry(designation, filled), filled)
             told = {**listed, **told}
         play = set(cls.RIVALS) if own.intersection(cls.RIVALS) else set()
         missing = (name for name in cls.FILLED_IN if name not in own | play)
@@ -445,7 +443,7 @@ class RollingBearing(Record):
         if info.context != AT_THE_BORDER:
             return fields
         alone = (self.designation or self.rows) is None
-        unsaid = ({self.MATERIAL} if alone else self.FILLED_IN.keys()) - self.model_fields_set
+        unsaid = {*((self.MATERIAL,) if alone else self.FILLED_IN)} - self.model_fields_set
         return {name: value for name, value in fields.items() if name not in unsaid}
 
     @property
@@ -523,12 +521,6 @@ class RollingBearing(Record):
 
 BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
 """The record of a bearing by what rolls in it."""
-
-
-@lru_cache(maxsize=1024)
-def _written(value: float, dimension: Dimension) -> str:
-    """Return a length or an angle as a file has it, which is the same in any language."""
-    return from_si(value, dimension)
 
 
 def elements_fit(bearing: Any) -> Any:
@@ -655,7 +647,7 @@ def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace
         signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
         return tuple(_placed(one, sign, row.position, row.phase) for row, sign in signs)
     if resolved is None or "arrangement" in resolved.fields:
-        names = bearing.FILLED_IN.keys() - bearing.model_fields_set - plain.keys()
+        names = set(bearing.FILLED_IN) - bearing.model_fields_set - plain.keys()
         if bearing.elements_follow_rings:
             names.discard(bearing.MATERIAL)
         values = {name: getattr(bearing, name) for name in names}
