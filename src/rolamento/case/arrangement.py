@@ -357,13 +357,9 @@ class Preload(Record):
         return listed_preload(self.designation, self.level, contact_angle)
 
 
-def _table_of(value: object) -> object:
-    return Preload.table_of_text(value) if isinstance(value, str) else value
-
-
 PreloadField = Annotated[
     Preload,
-    BeforeValidator(_table_of, json_schema_input_type=Preload | str),
+    BeforeValidator(Preload.text_or_table, json_schema_input_type=Preload | str),
     Field(description="a table, a force or an offset"),
 ]
 """Annotation of a field that takes a preload, its table, or the force or offset as text."""

@@ -186,12 +186,8 @@ class Case(Record):
         InputError
             If there is no such field, it is given twice, or the result is not valid.
         """
-        given = _full_names(values or {})
-        for key, value in nested.items():
-            name = SHORT_NAMES.get(key, key.replace("__", "."))
-            if name in given:
-                raise InputError(said("is given twice"), field=name)
-            given[name] = value
+        dotted = ((key.replace("__", "."), value) for key, value in nested.items())
+        given = _full_names([*(values or {}).items(), *dotted])
         with self.bearing.looked_up():
             return Case.from_mapping(changed(self._own_mapping(given), given, Case))
 
@@ -677,7 +673,7 @@ def _sizes_of(bearing: Any, designation: str) -> dict[str, float]:
     return {name: getattr(known, name) for name in _SIZES}
 
 
-def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
+def _full_names(changes: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     """Values by the dotted names of fields, of which the duty's may have been given by short ones.
 
     Raises
@@ -686,7 +682,7 @@ def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
         If one is given twice.
     """
     found: dict[str, Any] = {}
-    for key, value in changes.items():
+    for key, value in changes:
         name = SHORT_NAMES.get(key, key)
         if name in found:
             raise InputError(said("is given twice"), field=name)
@@ -700,7 +696,7 @@ def _case_from(mapping: Mapping[str, Any], changes: Changes, otherwise: Iterable
         mapping, _ = overridden(mapping, lacking, Case)
     if not changes:
         return Case.from_mapping(mapping)
-    changes = _full_names(changes) if isinstance(changes, Mapping) else changes
+    changes = _full_names(changes.items()) if isinstance(changes, Mapping) else changes
     mapping, fields = overridden(mapping, changes, Case)
     try:
         return Case.from_mapping(mapping)

@@ -191,13 +191,9 @@ class Profile(Record):
         )
 
 
-def _table_of(value: object) -> object:
-    return Profile.table_of_text(value) if isinstance(value, str) else value
-
-
 ProfileField = Annotated[
     Profile,
-    BeforeValidator(_table_of, json_schema_input_type=Profile | str),
+    BeforeValidator(Profile.text_or_table, json_schema_input_type=Profile | str),
     Field(description="a kind (iso, logarithmic, none) or a table"),
 ]
 """Annotation of a field that takes a profile: its table, or the word of its kind."""

@@ -118,6 +118,11 @@ class Record(BaseModel):
         raise InputError(said("must be a table"), value=text)
 
     @classmethod
+    def text_or_table(cls, value: object) -> object:
+        """Let a field of such a record take the text that stands for its table."""
+        return cls.table_of_text(value) if isinstance(value, str) else value
+
+    @classmethod
     def __get_pydantic_json_schema__(
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
