@@ -11,7 +11,7 @@ from rolamento.case.arrangement import designation_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES, Duty
 from rolamento.case.electrical import Electrical
-from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
+from rolamento.case.fields import Changes, changed, fields_of, read_changed, values_of
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
 from rolamento.case.grease import Grease
@@ -693,17 +693,8 @@ def _full_names(changes: Iterable[tuple[str, Any]]) -> dict[str, Any]:
 def _case_from(mapping: Mapping[str, Any], changes: Changes, otherwise: Iterable[str] = ()) -> Case:
     lacking = [one for one in otherwise if one.partition(".")[0] not in mapping]
     if lacking:
-        mapping, _ = overridden(mapping, lacking, Case)
+        mapping = changed(mapping, values_of(lacking, Case), Case, in_file=True)
     if not changes:
         return Case.from_mapping(mapping)
     changes = _full_names(changes.items()) if isinstance(changes, Mapping) else changes
-    mapping, fields = overridden(mapping, changes, Case)
-    try:
-        return Case.from_mapping(mapping)
-    except InputError as error:
-        by_option = not isinstance(changes, Mapping)
-        if by_option and any(
-            error.field == one or error.field.startswith(f"{one}.") for one in fields
-        ):
-            raise error.with_details(source=OVERRIDE_SOURCE) from None
-        raise
+    return read_changed(mapping, changes, Case)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from functools import cache, cached_property, lru_cache
-from typing import Any, Final, Literal, NamedTuple, get_args, get_origin
+from typing import Any, Final, Literal, NamedTuple, TypeVar, get_args, get_origin
 
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
@@ -46,8 +46,8 @@ __all__ = [
     "in_file_form",
     "inline_value",
     "of_elements",
-    "overridden",
     "plain_value",
+    "read_changed",
     "values_of",
 ]
 
@@ -62,6 +62,7 @@ _OF_ROLLERS: Final = frozenset({"model.roller_contact", "model.slices", "film.li
 Value = float | int | bool | str
 """What a field takes: SI floats of quantities, and what files hold of the others."""
 
+R = TypeVar("R", bound=Record)
 Kind = Literal["number", "count", "switch", "text", "list"]
 
 _EXAMPLE: Final = 'duty.load.fz="10 kN"'
@@ -344,10 +345,8 @@ Changes = Mapping[str, Any] | Iterable[str]
 or ``KEY=VALUE``, as a command's options have it."""
 
 
-def overridden(
-    mapping: Mapping[str, Any], changes: Changes, record: type[Record]
-) -> tuple[dict[str, Any], frozenset[str]]:
-    """Return a copy of tables with changes applied, and the fields that they set.
+def read_changed(mapping: Mapping[str, Any], changes: Changes, record: type[R]) -> R:
+    """Return the record that tables describe, with changes put over them.
 
     Parameters
     ----------
@@ -361,21 +360,28 @@ def overridden(
     Raises
     ------
     InputError
-        If a text is not of that form, or a key names no field.
+        If a text is not of that form, a key names no field, or the record is not valid. What a
+        text sets has its source, ``--set``.
     """
     if isinstance(changes, Mapping):
-        return changed(mapping, changes, record), frozenset(map(current, changes))
+        return record.from_mapping(changed(mapping, changes, record))
     try:
         values = values_of(changes, record)
-        return changed(mapping, values, record, in_file=True), frozenset(values)
+        tables = changed(mapping, values, record, in_file=True)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+    try:
+        return record.from_mapping(tables)
+    except InputError as error:
+        if any(f"{error.field}.".startswith(f"{one}.") for one in values):
+            raise error.with_details(source=OVERRIDE_SOURCE) from None
+        raise
 
 
 def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object]:
     """Return what settings set: values as a file holds them, by dotted name.
 
-    Parameters and errors as of `overridden`.
+    Parameters and errors as of `read_changed`.
     """
     values: dict[str, object] = {}
     for setting in settings:

@@ -21,7 +21,7 @@ from pydantic import (
 )
 
 from rolamento.case import Case, is_designation, load_case
-from rolamento.case.fields import OVERRIDE_SOURCE, Changes, overridden
+from rolamento.case.fields import Changes, read_changed
 from rolamento.case.former import OUTPUTS, current
 from rolamento.case.machine import (
     Machine,
@@ -460,12 +460,11 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, changes: Changes) -> Case
             value=given,
             example='case = "case.toml"',
         )
-    tables, set_fields = overridden(given, changes, Case)
     try:
-        return Case.from_mapping(tables)
+        return read_changed(given, changes, Case)
     except InputError as error:
-        if error.field in set_fields and not isinstance(changes, Mapping):
-            raise error.with_details(source=OVERRIDE_SOURCE) from None
+        if error.source:
+            raise
         raise error.with_details(field=f"case.{error.field}".rstrip(".")) from None
 
 
