@@ -276,6 +276,7 @@ class Bearing(RollingBearing):
     INSIDE: ClassVar = ("ball_count", "ball_diameter", "pitch_diameter")
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
     RIVALS: ClassVar = PLAY
+    ROLLS: ClassVar = BALL
     MATERIAL: ClassVar = "ball_material"
     ROW: ClassVar = BallRow
     PARAMETERS: ClassVar = BallParameters
@@ -328,16 +329,6 @@ class Bearing(RollingBearing):
         if self.kind is not None:
             return type_of_element(BALL, self.kind)
         return of_balls(angled=self.contact_angle is not None)
-
-    @property
-    def element_count(self) -> int:
-        """Z, balls in the row."""
-        return self.ball_count
-
-    @property
-    def element_diameter(self) -> float:
-        """D of a ball; m."""
-        return self.ball_diameter
 
     def _rows_by_kind(self) -> tuple[RowPlace, ...]:
         """Rows of contacts, each as it would be alone: one groove a ring, at its own angle.

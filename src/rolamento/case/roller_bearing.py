@@ -31,6 +31,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.types import (
     PLAIN_ROLLER,
+    ROLLER,
     BearingType,
     Ribs,
     RollerElement,
@@ -501,6 +502,7 @@ class RollerBearing(RollingBearing):
     )
     INSIDE: ClassVar = ("roller_count", "roller_diameter", "effective_length", "pitch_diameter")
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
+    ROLLS: ClassVar = ROLLER
     MATERIAL: ClassVar = "roller_material"
     ROW: ClassVar = RollerRow
     PARAMETERS: ClassVar = RollerParameters
@@ -587,16 +589,6 @@ class RollerBearing(RollingBearing):
 
     def _rows_by_kind(self) -> tuple[RowPlace, ...]:
         return rows_about_centre(self.model_copy(update={"kind": None}), self.row_angle)
-
-    @property
-    def element_count(self) -> int:
-        """Z, rollers in the row."""
-        return self.roller_count
-
-    @property
-    def element_diameter(self) -> float:
-        """D_we of a roller, in the middle of a tapered one; m."""
-        return self.roller_diameter
 
     @property
     def carries_one_way(self) -> bool:

@@ -115,6 +115,8 @@ class RollingBearing(Record):
     """The numbers of a row's geometry, in which cases solved together may differ."""
     STAYS: ClassVar[tuple[str, ...]] = ()
     """What else a row's geometry has."""
+    ROLLS: ClassVar[str] = ""
+    """``"ball"`` or ``"roller"``, with which the names of the elements' fields begin."""
     MATERIAL: ClassVar[str] = ""
     """The field of the rolling elements' material."""
     ROW: ClassVar[type[BallRow | RollerRow]]
@@ -181,7 +183,7 @@ class RollingBearing(Record):
     @property
     def element_count(self) -> int:
         """Z, rolling elements in the row."""
-        raise NotImplementedError
+        return cast("int", getattr(self, f"{self.ROLLS}_count"))
 
     @property
     def carries_one_way(self) -> bool:
@@ -195,8 +197,8 @@ class RollingBearing(Record):
 
     @property
     def element_diameter(self) -> float:
-        """D of a rolling element, the mean of a tapered one; m."""
-        raise NotImplementedError
+        """D of a ball, D_we of a roller, in the middle of a tapered one; m."""
+        return cast("float", getattr(self, f"{self.ROLLS}_diameter"))
 
     @property
     def element_material(self) -> "Material":
