@@ -23,10 +23,10 @@ from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
+    RULES_OF_THE_CIRCLE,
     Designation,
     RollingBearing,
     RowPlace,
-    elements_fit,
     rows_about_centre,
 )
 from rolamento.errors import InputError
@@ -77,35 +77,6 @@ def _sphere_if_any(told: dict[str, Any]) -> float:
         return math.nan
     tangent = math.tan(angle) if angle is not None else spacing / told["pitch_diameter"]
     return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
-
-
-def _too_small_a_circle(bearing: "Bearing") -> InputError:
-    return InputError(
-        said(
-            "must be greater than the ball diameter, {ball_diameter}",
-            ball_diameter=readable(bearing.ball_diameter, "length"),
-        ),
-        field="pitch_diameter",
-        value=readable(bearing.pitch_diameter, "length"),
-        example='pitch_diameter = "125.26 mm"',
-    )
-
-
-def _too_many_balls(bearing: "Bearing") -> InputError:
-    """Neighbouring balls touch when D = d_m sin(π/Z)."""
-    room = math.floor(math.pi / math.asin(bearing.ball_diameter / bearing.pitch_diameter))
-    return InputError(
-        said(
-            "balls of {ball_diameter} do not fit on a pitch circle of "
-            "{pitch_diameter}: there is room for {room}",
-            ball_diameter=readable(bearing.ball_diameter, "length"),
-            pitch_diameter=readable(bearing.pitch_diameter, "length"),
-            room=room,
-        ),
-        field="ball_count",
-        value=bearing.ball_count,
-        example=f"ball_count = {room}" if room >= 3 else "",
-    )
 
 
 def _angle_within(bearing: Any) -> Any:
@@ -182,8 +153,7 @@ def _shoulder_rule(name: str) -> Rule:
 
 
 _RULES: Final = (
-    Rule(lambda b: b.pitch_diameter > b.ball_diameter, _too_small_a_circle),
-    Rule(elements_fit, _too_many_balls),
+    *RULES_OF_THE_CIRCLE,
     Rule(_angle_within, _angle_beyond),
     Rule(_elastic_play, _play_beyond),
     _shoulder_rule("inner_shoulder_height"),

@@ -21,10 +21,10 @@ from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
+    RULES_OF_THE_CIRCLE,
     Designation,
     RollingBearing,
     RowPlace,
-    elements_fit,
     rows_about_centre,
 )
 from rolamento.errors import InputError
@@ -129,35 +129,6 @@ def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
 def _usual_inner_ribs(told: dict[str, Any]) -> Ribs:
     """A tapered roller leans on the rib at its large end."""
     return "-" if _is_conical(told) else "none"
-
-
-def _too_small_a_circle(bearing: "RollerBearing") -> InputError:
-    return InputError(
-        said(
-            "must be greater than the roller diameter, {roller_diameter}",
-            roller_diameter=readable(bearing.roller_diameter, "length"),
-        ),
-        field="pitch_diameter",
-        value=readable(bearing.pitch_diameter, "length"),
-        example='pitch_diameter = "38.5 mm"',
-    )
-
-
-def _too_many_rollers(bearing: "RollerBearing") -> InputError:
-    """Neighbouring rollers touch when D = d_pw sin(π/Z)."""
-    room = math.floor(math.pi / math.asin(bearing.roller_diameter / bearing.pitch_diameter))
-    return InputError(
-        said(
-            "rollers of {roller_diameter} do not fit on a pitch circle of "
-            "{pitch_diameter}: there is room for {room}",
-            roller_diameter=readable(bearing.roller_diameter, "length"),
-            pitch_diameter=readable(bearing.pitch_diameter, "length"),
-            room=room,
-        ),
-        field="roller_count",
-        value=bearing.roller_count,
-        example=f"roller_count = {room}" if room >= 3 else "",
-    )
 
 
 def _cones_meet_the_axis(bearing: Any) -> Any:
@@ -368,8 +339,7 @@ def _check_rings(bearing: "RollerBearing") -> None:
 
 
 _RULES: Final = (
-    Rule(lambda b: b.pitch_diameter > b.roller_diameter, _too_small_a_circle),
-    Rule(elements_fit, _too_many_rollers),
+    *RULES_OF_THE_CIRCLE,
     Rule(_cones_meet_the_axis, _cones_do_not),
     Rule(_elastic_play, _play_beyond),
     Rule(lambda b: b.effective_length <= b.roller_length * (1.0 + _ROUNDING), _too_short),

@@ -44,9 +44,10 @@ from rolamento.case.arrangement import (
 from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
-from rolamento.case.record import Record
+from rolamento.case.record import Record, example_of
 from rolamento.errors import InputError, phrase
-from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
+from rolamento.types import BALL, ROLLER, BearingType, Grooves, RollerRings, type_of_element
+from rolamento.units import readable
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -59,11 +60,11 @@ if TYPE_CHECKING:
 __all__ = [
     "DISPLACED",
     "MOST_ROWS",
+    "RULES_OF_THE_CIRCLE",
     "Designation",
     "RollingBearing",
     "RowPlace",
     "element_named",
-    "elements_fit",
     "rows_about_centre",
 ]
 
@@ -525,10 +526,58 @@ BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
 """The record of a bearing by what rolls in it."""
 
 
-def elements_fit(bearing: Any) -> Any:
-    """Whether neighbours on the pitch circle do not overlap, of a record or parameters."""
+_TOO_LARGE: Final = {
+    BALL: marked("must be greater than the ball diameter, {ball_diameter}"),
+    ROLLER: marked("must be greater than the roller diameter, {roller_diameter}"),
+}
+_TOO_MANY: Final = {
+    BALL: marked(
+        "balls of {ball_diameter} do not fit on a pitch circle of "
+        "{pitch_diameter}: there is room for {room}"
+    ),
+    ROLLER: marked(
+        "rollers of {roller_diameter} do not fit on a pitch circle of "
+        "{pitch_diameter}: there is room for {room}"
+    ),
+}
+
+
+def _too_small_a_circle(bearing: RollingBearing) -> InputError:
+    diameter = {f"{bearing.ROLLS}_diameter": readable(bearing.element_diameter, "length")}
+    return InputError(
+        said(_TOO_LARGE[bearing.ROLLS], **diameter),
+        field="pitch_diameter",
+        value=readable(bearing.pitch_diameter, "length"),
+        example=example_of(type(bearing), ("pitch_diameter",)),
+    )
+
+
+def _elements_fit(bearing: Any) -> Any:
+    """Whether neighbours on the pitch circle do not overlap: D ≤ d_m sin(π/Z)."""
     room = math.sin(math.pi / bearing.element_count)
     return bearing.element_diameter / bearing.pitch_diameter <= room
+
+
+def _too_many(bearing: RollingBearing) -> InputError:
+    count, diameter = f"{bearing.ROLLS}_count", bearing.element_diameter
+    room = math.floor(math.pi / math.asin(diameter / bearing.pitch_diameter))
+    sizes = {
+        f"{bearing.ROLLS}_diameter": readable(diameter, "length"),
+        "pitch_diameter": readable(bearing.pitch_diameter, "length"),
+    }
+    return InputError(
+        said(_TOO_MANY[bearing.ROLLS], **sizes, room=room),
+        field=count,
+        value=bearing.element_count,
+        example=f"{count} = {room}" if room >= 3 else "",
+    )
+
+
+RULES_OF_THE_CIRCLE: Final = (
+    Rule(lambda b: b.pitch_diameter > b.element_diameter, _too_small_a_circle),
+    Rule(_elements_fit, _too_many),
+)
+"""Elements have room on their pitch circle."""
 
 
 def element_named(given: Mapping[str, Any]) -> str | None:
