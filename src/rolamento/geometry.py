@@ -48,10 +48,6 @@ class Angle:
         """Sine of the angle."""
         return np.sin(self.value)
 
-    def cosine_to(self, other: Angle) -> FloatArray:
-        """The cosine of the difference of two angles."""
-        return self.cosine * other.cosine + self.sine * other.sine
-
 
 AngleLike = ArrayLike | Angle
 """An angle, or numbers of it; rad."""

@@ -179,7 +179,7 @@ def test_every_roller_is_in_balance_by_an_independent_evaluation(name: str) -> N
         apex = roller.radius / np.tan(half) + 0.5 * given.roller_length
         roller.rib(given.roller_length, given.contact_height, given.roller_end_radius or apex, half)
     azimuths = 2.0 * np.pi * np.arange(row.element_count) / row.element_count
-    answer = row.answer(held, np.ones((1, 1), np.int64), np.zeros(1, bool))
+    answer = row.answer(held, np.ones((1, 1)), np.ones((1, 1), np.int64), np.zeros(1, bool))
     tables = answer.tables()
     total = np.zeros(5)
     loaded = 0

@@ -159,13 +159,11 @@ def test_the_two_planes_are_alike_in_a_line_contact_at_0_2424() -> None:
 @pytest.mark.parametrize("nu", [0.3, 0.1])
 def test_the_compiled_loop_gives_the_same_to_the_last_bit(nu: float) -> None:
     k = np.geomspace(1.0, 60.0, 50)
-    for plane, formula, loop in (
-        (ShearPlane.ROLLING, subsurface._rolling_peak, subsurface._fill_rolling),
-        (ShearPlane.TRANSVERSE, subsurface._transverse_peak, subsurface._fill_transverse),
-    ):
+    for plane, across in ((ShearPlane.ROLLING, 0.0), (ShearPlane.TRANSVERSE, 1.0)):
         start, out = subsurface._start(k, np.full(50, nu), plane), np.empty((2, 50))
-        loop.compiled(k, np.full(50, nu), start, out)
-        np.testing.assert_array_equal(out, formula(k, np.full(50, nu), start))
+        given = (k, np.full(50, nu), start, np.full(50, across))
+        subsurface._fill_peak.compiled(*given, out)
+        np.testing.assert_array_equal(out, subsurface._peak(*given))
 
 
 def test_plane_of_the_greatest_shear_changes_with_poissons_ratio() -> None:

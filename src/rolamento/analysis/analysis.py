@@ -212,13 +212,16 @@ def analyse(
     film, friction = film_and_friction(
         solved, model=model, hysteresis=hysteresis, compare=compare, threads=threads
     )
+    if film is None and has_oil(solved.case):
+        key = "no_temperature_no_friction" if friction is None else "no_temperature"
+        why_not = (Note(key), *why_not)
     left_out = {
         "friction_models": quick and single and not compare and friction is not None,
         "stress_volume": quick and single and life is not None,
         "preload_loss": solved.preload is not None and solved.preload.loss_factor is None,
     }
     without = tuple(name for name, gone in left_out.items() if gone)
-    notes = (*_missing(solved), *why_not, *(Note(f"without_{name}") for name in without))
+    notes = (*why_not, *(Note(f"without_{name}") for name in without))
     return Analysis(solved, film, friction, life, notes, without)
 
 
@@ -258,17 +261,6 @@ def film_and_friction(
         )
 
     return in_blocks(of_block, solved, threads)
-
-
-def _missing(solved: Solved) -> tuple[Note, ...]:
-    """Name what the film and the friction of a lubricated case lack."""
-    if solved.case.lubricant is None:
-        return ()
-    from rolamento.lubrication.films import has_film
-
-    if not has_oil(solved.case) or has_film(solved):
-        return ()
-    return (Note("no_temperature" if has_friction(solved) else "no_temperature_no_friction"),)
 
 
 def life_of(solved: Solved, *, stress_volume: bool) -> tuple[LifeSummary | None, tuple[Note, ...]]:

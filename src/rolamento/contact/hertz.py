@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike
 from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
-from rolamento.numerics.ellipse import Ellipse, ellipse_of_log_ratio
+from rolamento.numerics.ellipse import ellipse_of_log_ratio
 from rolamento.numerics.elliptic import complete
 from rolamento.records import frozen
 
@@ -176,9 +176,7 @@ def contact_stiffness(
     >>> print(f"{1e-9 * contact_stiffness(200.0, 10.0, 2.27e11):.2f} GN/m^1.5")
     26.79 GN/m^1.5
     """
-    total, shape = _shape(curvature_rolling, curvature_across)
-    strain, e = total / shape.second, np.asarray(modulus, dtype=np.float64)
-    return np.asarray(_stiffness(0.5 * strain * shape.first, strain, shape.ellipticity, e))
+    return elliptical_contact(1.0, curvature_rolling, curvature_across, modulus).stiffness
 
 
 def series_stiffness(inner: ArrayLike, outer: ArrayLike) -> FloatArray:
@@ -220,44 +218,30 @@ def elliptical_contact(
     >>> print(f"{1e-6 * elliptical_contact(1000.0, 200.0, 10.0, 2.27e11).max_pressure:.0f} MPa")
     2098 MPa
     """
-    total, shape = _shape(curvature_rolling, curvature_across)
-    e = np.asarray(modulus, dtype=np.float64)
-    q = np.asarray(load, dtype=np.float64)
+    x, y, q, e = (
+        np.asarray(one, dtype=np.float64)
+        for one in (curvature_rolling, curvature_across, load, modulus)
+    )
+    valid = (x > 0.0) & (y > 0.0)
+    if not valid.all():
+        x, y = np.where(valid, x, np.nan), np.where(valid, y, np.nan)
     q = np.where(q >= 0.0, q, np.nan)
-    k, first, second = shape
-    strain, cube = of_each(_cubed, _fill_cubed, 2, q, total, k, second, e)
-    b = np.cbrt(cube)
+    k, first, second = ellipse_of_log_ratio(-np.abs(np.log(x / y)))
+    strain = (x + y) / second
+    b = np.cbrt(6.0 / np.pi * q / (strain * k * e))
     a, *others = of_each(_pressed, _fill_pressed, 5, b, strain, k, first, e)
     return HertzContact(*np.broadcast_arrays(q, a, b, *others, k, second))
-
-
-@inline_exact
-def _cubed(
-    q: FloatArray, total: FloatArray, k: FloatArray, second: FloatArray, modulus: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Σρ/E and b³ under a load."""
-    strain = total / second
-    return strain, 6.0 / np.pi * q / (strain * k * modulus)
-
-
-@kernel
-def _fill_cubed(
-    q: FloatArray, total: FloatArray, k: FloatArray, second: FloatArray, modulus: FloatArray,
-    out: FloatArray,
-) -> None:  # fmt: skip
-    """Fill out, (2, numbers)."""
-    for i in range(q.size):
-        out[0, i], out[1, i] = _cubed(q[i], total[i], k[i], second[i], modulus[i])
 
 
 @inline_exact
 def _pressed(
     b: FloatArray, strain: FloatArray, k: FloatArray, first: FloatArray, modulus: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Semi-major axis, deflection, maximum and mean pressure, and stiffness; strain: Σρ/E."""
+    """Semi-major axis, deflection, maximum and mean pressure, and stiffness; strain: Σρ/E(m)."""
     p0 = 0.25 * b * strain * modulus
     approach = 0.5 * strain * first  # δ/b²
-    return k * b, approach * (b * b), p0, 2.0 / 3.0 * p0, _stiffness(approach, strain, k, modulus)
+    stiffness = np.pi / 6.0 * strain * k * modulus / (approach * np.sqrt(approach))
+    return k * b, approach * (b * b), p0, 2.0 / 3.0 * p0, stiffness
 
 
 @kernel
@@ -270,21 +254,3 @@ def _fill_pressed(
         out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = _pressed(
             b[i], strain[i], k[i], first[i], modulus[i]
         )
-
-
-def _shape(rolling: ArrayLike, across: ArrayLike) -> tuple[FloatArray, Ellipse]:
-    """Sum of curvatures, and the shape straight from their ratio."""
-    x = np.asarray(rolling, dtype=np.float64)
-    y = np.asarray(across, dtype=np.float64)
-    valid = (x > 0.0) & (y > 0.0)
-    if not valid.all():
-        x, y = np.where(valid, x, np.nan), np.where(valid, y, np.nan)
-    return x + y, ellipse_of_log_ratio(-np.abs(np.log(x / y)))
-
-
-@inline_exact
-def _stiffness(
-    approach: FloatArray, strain: FloatArray, k: FloatArray, modulus: FloatArray
-) -> FloatArray:
-    """K of Q = K δ^1.5, from δ/b² and Σρ/E."""
-    return np.pi / 6.0 * strain * k * modulus / (approach * np.sqrt(approach))

@@ -162,12 +162,13 @@ def maximum_shear(
         *(np.asarray(v, np.float64) for v in (max_pressure, semi_major, semi_minor, poisson_ratio))
     )
     k, b = _shape(a, b)
+    rolling, transverse = np.asarray(0.0), np.asarray(1.0)
     start = _start(k, nu, ShearPlane.ROLLING)
-    depth, shear = of_each(_rolling_peak, _fill_rolling, 2, k, nu, start)
+    depth, shear = of_each(_peak, _fill_peak, 2, k, nu, start, rolling)
     plane = np.full(k.shape, ShearPlane.ROLLING, np.int64)
     if np.any(nu < _ROLLING_ALONE):
         start = _start(k, nu, ShearPlane.TRANSVERSE)
-        other, rival = of_each(_transverse_peak, _fill_transverse, 2, k, nu, start)
+        other, rival = of_each(_peak, _fill_peak, 2, k, nu, start, transverse)
         across = rival > shear
         depth, shear = np.where(across, other, depth), np.where(across, rival, shear)
         plane = np.where(across, np.int64(ShearPlane.TRANSVERSE), plane)
@@ -180,8 +181,9 @@ def orthogonal_shear(
     """Amplitude τ_0 and depth z_0 of the orthogonal shear τ_xz in the rolling direction x.
 
     τ_xz swings between -τ_0 and +τ_0 as the contact rolls over the point. The shape enters by
-    the root t of b/a = √((t² - 1)(2t - 1)):
+    the root t of b/a = √((t² - 1)(2t - 1)) from 1 to 1.281, a cubic with three real ones:
 
+        6 t = 1 + 2 √13 cos(⅓ acos((54 (b/a)² - 35) / 13^1.5)),
         τ_0/p0 = √(2t - 1) / (2t (t + 1)),    z_0/b = 1 / ((t + 1) √(2t - 1)).
 
     Parameters
@@ -199,7 +201,8 @@ def orthogonal_shear(
     249 MPa
     """
     k, b = _shape(semi_major, semi_minor)
-    t = _orthogonal_parameter(1.0 / k)
+    turn = np.arccos((54.0 / (k * k) - 35.0) / 13.0**1.5)
+    t = (1.0 + 2.0 * np.sqrt(13.0) * np.cos(turn / 3.0)) / 6.0
     root = np.sqrt(2.0 * t - 1.0)
     amplitude = np.asarray(max_pressure) * root / (2.0 * t * (t + 1.0))
     depth = b / ((t + 1.0) * root)
@@ -492,59 +495,28 @@ def _start(k: FloatArray, nu: FloatArray, plane: ShearPlane) -> FloatArray:
 
 
 @inline_exact
-def _peak(k: FloatArray, nu: FloatArray, start: FloatArray, across: float) -> FloatArray:
-    """Depth ζ of the maximum of σ_x - σ_z, or with across = 1 of σ_y - σ_z, by Newton's steps."""
+def _peak(
+    k: FloatArray, nu: FloatArray, start: FloatArray, across: float
+) -> tuple[FloatArray, FloatArray]:
+    """Depth ζ and size over p0 of the maximum of (σ_x - σ_z)/2, with across = 1 of (σ_y - σ_z)/2.
+
+    By Newton's steps on the slope.
+    """
     zeta = start
     for _ in range(_PEAK_STEPS):
         first, second = _slope(zeta, k, nu, across)
         zeta = zeta - first / second
-    return zeta
-
-
-@inline_exact
-def _rolling_peak(
-    k: FloatArray, nu: FloatArray, start: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Depth ζ and size over p0 of the maximum of (σ_x - σ_z)/2."""
-    zeta = _peak(k, nu, start, 0.0)
-    x, _y, z = _axis(zeta, k, nu)
-    return zeta, 0.5 * (x - z)
-
-
-@inline_exact
-def _transverse_peak(
-    k: FloatArray, nu: FloatArray, start: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Depth ζ and size over p0 of the maximum of (σ_y - σ_z)/2."""
-    zeta = _peak(k, nu, start, 1.0)
-    _x, y, z = _axis(zeta, k, nu)
-    return zeta, 0.5 * (y - z)
+    x, y, z = _axis(zeta, k, nu)
+    return zeta, 0.5 * (x + across * (y - x) - z)
 
 
 @kernel
-def _fill_rolling(k: FloatArray, nu: FloatArray, start: FloatArray, out: FloatArray) -> None:
+def _fill_peak(
+    k: FloatArray, nu: FloatArray, start: FloatArray, across: FloatArray, out: FloatArray
+) -> None:
     """Fill out, (2, numbers)."""
     for i in range(k.size):
-        out[0, i], out[1, i] = _rolling_peak(k[i], nu[i], start[i])
-
-
-@kernel
-def _fill_transverse(k: FloatArray, nu: FloatArray, start: FloatArray, out: FloatArray) -> None:
-    """Fill out, (2, numbers)."""
-    for i in range(k.size):
-        out[0, i], out[1, i] = _transverse_peak(k[i], nu[i], start[i])
-
-
-def _orthogonal_parameter(axis_ratio: FloatArray) -> FloatArray:
-    """Root t in [1, 1.281] of (t² - 1)(2t - 1) = (b/a)²: convex, so Newton falls onto it."""
-    target = axis_ratio * axis_ratio
-    t = np.full_like(target, 0.25 * (1.0 + np.sqrt(17.0)))
-    for _ in range(_NEWTON_STEPS):
-        step = ((t * t - 1.0) * (2.0 * t - 1.0) - target) / (6.0 * t * t - 2.0 * t - 2.0)
-        t = t - step
-        if not np.any(np.abs(step) > _TOLERANCE):
-            break
-    return t
+        out[0, i], out[1, i] = _peak(k[i], nu[i], start[i], across[i])
 
 
 def _confocal(x2: FloatArray, y2: FloatArray, z2: FloatArray, k2: FloatArray) -> FloatArray:

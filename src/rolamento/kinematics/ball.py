@@ -109,7 +109,7 @@ def control_codes(control: ControlName | ArrayLike) -> ControlCodes:
     whole = codes.dtype.kind == "i" or bool(np.all(np.rint(codes) == codes))
     if not whole or np.any((codes < -1) | (codes > 1)):
         raise ValueError("raceway control codes must be -1, 0 or 1")
-    return codes.astype(np.int64)
+    return codes.astype(np.int64, copy=False)
 
 
 def ball_motion(
@@ -151,7 +151,7 @@ def ball_motion(
     orbit = np.asarray(orbit, dtype=np.float64)
     axis_x, axis_r, *speeds = of_each(
         _turned, _fill_turned, 7, inner.cosine, inner.sine, outer.cosine, outer.sine, ratio,
-        inner_ring, outer_ring, orbit, _sigma(control), np.asarray(hold, dtype=np.float64),
+        inner_ring, outer_ring, orbit, control_codes(control), np.asarray(hold, dtype=np.float64),
     )  # fmt: skip
     ball_speed, *others = speeds
     return BallMotion(*np.broadcast_arrays(orbit, ball_speed, np.arctan2(axis_r, axis_x), *others))
@@ -160,11 +160,11 @@ def ball_motion(
 @inline_exact
 def _turned(
     cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
-    inner_ring: FloatArray, outer_ring: FloatArray, orbit: FloatArray, sigma: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, orbit: FloatArray, control: FloatArray,
     hold: FloatArray,
 ) -> tuple[FloatArray, ...]:  # fmt: skip
     """The direction of the ball's axis, along x and inward; then ball speed, spins and rolls."""
-    by_outer = sigma > 0.0
+    by_outer = control >= 0.0
     on_inner = choose(by_outer, 0.0, hold)
     # what each ring turns faster or slower than the ball orbits, over the difference of both
     relative = outer_ring - inner_ring
@@ -193,7 +193,7 @@ def _turned(
 @kernel
 def _fill_turned(
     cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
-    inner_ring: FloatArray, outer_ring: FloatArray, orbit: FloatArray, sigma: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, orbit: FloatArray, control: FloatArray,
     hold: FloatArray, out: FloatArray,
 ) -> None:  # fmt: skip
     """Fill out, (7, numbers)."""
@@ -202,7 +202,7 @@ def _fill_turned(
             out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i], out[6, i],
         ) = _turned(
             cos_i[i], sin_i[i], cos_o[i], sin_o[i], ratio[i], inner_ring[i], outer_ring[i],
-            orbit[i], sigma[i], hold[i],
+            orbit[i], control[i], hold[i],
         )  # fmt: skip
 
 
@@ -221,22 +221,24 @@ def orbital_speed(
     """
     inner, outer = Angle.of(inner_contact_angle), Angle.of(outer_contact_angle)
     rings = (np.asarray(inner_speed), np.asarray(outer_speed))
-    ratio, sigma = np.asarray(diameter_ratio, dtype=np.float64), _sigma(control)
+    ratio = np.asarray(diameter_ratio, dtype=np.float64)
     (orbit,) = of_each(
-        _orbit, _fill_orbit, 1, inner.cosine, outer.cosine, inner.cosine_to(outer), ratio, *rings,
-        sigma,
+        _orbit, _fill_orbit, 1, inner.cosine, inner.sine, outer.cosine, outer.sine, ratio, *rings,
+        control_codes(control),
     )  # fmt: skip
     return np.asarray(orbit)
 
 
 @inline_exact
 def _orbit(
-    cos_i: FloatArray, cos_o: FloatArray, between: FloatArray, ratio: FloatArray,
-    inner_ring: FloatArray, outer_ring: FloatArray, sigma: FloatArray,
+    cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, control: FloatArray,
 ) -> tuple[FloatArray]:  # fmt: skip
-    """ω_m by raceway control, with w the share of the slave ring; between: cos(α_i - α_o)."""
-    by_outer = sigma > 0.0
+    """ω_m by raceway control, with w the share of the slave ring."""
+    by_outer = control >= 0.0
+    sigma = choose(by_outer, 1.0, -1.0)
     slave = choose(by_outer, cos_i, cos_o)
+    between = cos_i * cos_o + sin_i * sin_o  # cos(α_i - α_o)
     share = (1.0 - sigma * ratio * slave) / (1.0 + np.maximum(between, LEAST_COSINE))
     control_ring = choose(by_outer, outer_ring, inner_ring)
     return (control_ring + sigma * (inner_ring - outer_ring) * share,)
@@ -244,13 +246,20 @@ def _orbit(
 
 @kernel
 def _fill_orbit(
-    cos_i: FloatArray, cos_o: FloatArray, between: FloatArray, ratio: FloatArray,
-    inner_ring: FloatArray, outer_ring: FloatArray, sigma: FloatArray, out: FloatArray,
+    cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, control: FloatArray, out: FloatArray,
 ) -> None:  # fmt: skip
     """Fill out, (1, numbers)."""
     for i in range(ratio.size):
         (out[0, i],) = _orbit(
-            cos_i[i], cos_o[i], between[i], ratio[i], inner_ring[i], outer_ring[i], sigma[i]
+            cos_i[i],
+            sin_i[i],
+            cos_o[i],
+            sin_o[i],
+            ratio[i],
+            inner_ring[i],
+            outer_ring[i],
+            control[i],
         )
 
 
@@ -418,10 +427,6 @@ def friction_demand(
     load = np.asarray(load, dtype=np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(force == 0.0, 0.0, force / load)
-
-
-def _sigma(control: ControlName | ArrayLike) -> FloatArray:
-    return np.where(control_codes(control) < 0, -1.0, 1.0)
 
 
 def spin_to_roll(spin: FloatArray, roll: FloatArray) -> FloatArray:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import Kernel, at_hand
@@ -22,7 +23,10 @@ MANY: Final = 4096
 
 
 def of_each(
-    formula: Kernel[..., tuple[Any, ...]], loop: Kernel[..., None], count: int, *arrays: FloatArray
+    formula: Kernel[..., tuple[Any, ...]],
+    loop: Kernel[..., None],
+    count: int,
+    *arrays: NDArray[Any],
 ) -> tuple[FloatArray, ...]:
     """Return what a formula makes of each number, the same to the last bit either way.
 
@@ -42,9 +46,8 @@ def of_each(
     Arrays of the broadcast shape. The loop runs over many numbers of a process that has the
     compiler.
     """
-    if not at_hand() or max(array.size for array in arrays) < MANY:
-        return formula(*arrays)
-    if goes_plainly(loop, little=False):
+    few = max(array.size for array in arrays) < MANY
+    if few or not at_hand() or goes_plainly(loop, little=False):
         return formula(*arrays)
     whole = np.broadcast_arrays(*arrays)
     out = np.empty((count, whole[0].size))

@@ -11,7 +11,6 @@ Carlson, Numerical Algorithms 10 (1995).
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import Final
 
 import numpy as np
@@ -21,10 +20,12 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
 
-_NEAR = 1e-8  # of both means: the next step would square it
+_USUAL: Final = 1e-5
+"""1 - m of an ellipse of 300 to 1: more slender ones take more steps."""
 STEPS: Final = 5
-"""Number of steps of the arithmetic-geometric mean, enough from 1 - m = 1e-5 on, an ellipse of 300
-to 1."""
+"""Number of steps of the arithmetic-geometric mean, enough from there on."""
+MOST_STEPS: Final = 11
+"""The same down to the smallest number above zero."""
 _DUPLICATIONS: Final = 11
 """Number of duplications of Carlson's integrals: some four bring arguments of 1e-16 and 1 near each
 other, and each of the others divides their spread by 4, of which the series below leaves out the
@@ -71,8 +72,10 @@ def associate(complement: ArrayLike) -> tuple[FloatArray, FloatArray]:
     inside = (m1 > 0.0) & (m1 <= 1.0)
     whole = bool(inside.all())
     safe = m1 if whole else np.where(inside, m1, 1.0)
-    steps = _steps(float(safe.min(initial=1.0)))
-    b, d = of_each(usual_associate, _fill, 2, safe) if steps == STEPS else _by_mean(safe, steps)
+    if safe.min(initial=1.0) >= _USUAL:
+        b, d = of_each(by_mean, _fill, 2, safe)
+    else:
+        b, d = by_mean(safe, MOST_STEPS)
     if whole:
         return np.asarray(b), np.asarray(d)
     tiny = m1 == 0.0
@@ -82,23 +85,9 @@ def associate(complement: ArrayLike) -> tuple[FloatArray, FloatArray]:
     )
 
 
-def _steps(least: float) -> int:
-    """Steps that bring both means so near, of the least 1 - m, that their difference is gone."""
-    a, g, steps = 1.0, sqrt(least), 0
-    while a - g > _NEAR * a:
-        a, g, steps = 0.5 * (a + g), sqrt(a * g), steps + 1
-    return max(steps, STEPS)
-
-
 @inline_exact
-def usual_associate(m1: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """B and D of a number or an array of 1 - m from 1e-5 to 1; as `associate`."""
-    return _by_mean(m1, STEPS)
-
-
-@inline_exact
-def _by_mean(m1: FloatArray, steps: int) -> tuple[FloatArray, FloatArray]:
-    """B and D of a number or an array above zero, by so many steps of the mean."""
+def by_mean(m1: FloatArray, steps: int = STEPS) -> tuple[FloatArray, FloatArray]:
+    """B and D of a number or an array of 1 - m above zero, by so many steps of the mean."""
     g = np.sqrt(m1)
     a = 0.5 + 0.5 * g
     ratio = 0.25 * (1.0 - g) / (1.0 + g)  # c_1² / m
@@ -120,7 +109,7 @@ def _by_mean(m1: FloatArray, steps: int) -> tuple[FloatArray, FloatArray]:
 def _fill(m1: FloatArray, out: FloatArray) -> None:
     """Fill out, (2, numbers)."""
     for i in range(m1.size):
-        out[0, i], out[1, i] = usual_associate(m1[i])
+        out[0, i], out[1, i] = by_mean(m1[i])
 
 
 @inline_exact

@@ -39,6 +39,7 @@ from rolamento.case.parameters import RollerParameters
 from rolamento.case.roller_bearing import raceway_radii
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.contact.line import EXPONENT, half_width, max_pressure, slice_places
+from rolamento.geometry import Angle
 from rolamento.kinematics import (
     BallMotion,
     centrifugal_force,
@@ -347,7 +348,9 @@ class BarrelRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BarrelAnswer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> BarrelAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         rollers = cast(BarrelResponse, held)
         rollers.place[lost], rollers.depth[lost] = np.nan, np.nan
@@ -412,7 +415,7 @@ class BarrelAnswer:
             for race, load, deep in zip((n.inner, n.outer), loads, depths, strict=True)
         ]
         pressed = [
-            Pressed(load, angle, np.maximum(deep, 0.0), deep, wide(spin), wide(roll))
+            Pressed(load, Angle(angle), np.maximum(deep, 0.0), deep, wide(spin), wide(roll))
             for load, deep, spin, roll in (
                 (loads[0], depths[0], motion.inner_spin, motion.inner_roll),
                 (loads[1], depths[1], motion.outer_spin, motion.outer_roll),

@@ -227,10 +227,13 @@ class Row(Protocol):
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         ...
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> Answer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> Answer:
         """Keep what the tables are made from, of cases that are not lost.
 
-        shown: what the result says of the race that guides each element, (cases, elements).
+        control: which race guided each element, as of `Guided`; shown: what the result says of
+        that; (cases, elements) each.
         """
         ...
 

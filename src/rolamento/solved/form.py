@@ -19,7 +19,7 @@ from rolamento.case.duty import AXES, LOADS
 from rolamento.case.former import STATUSES, current
 from rolamento.contact.hertz import effective_modulus
 from rolamento.errors import ABSENT, FileError, InputError
-from rolamento.geometry import Race
+from rolamento.geometry import Angle, Race
 from rolamento.io.json import plain
 from rolamento.kinematics import RacewayControl
 from rolamento.numerics import FloatArray
@@ -345,7 +345,10 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
     rolling, yaw = _rolling_of(item, len(balls), at)
     elements = Elements(row=row, yaw=yaw, raceway_control=_codes(balls), **own)
     pressed = {
-        race: Pressed(**{p.name: columns[p.name] for p in fields(Pressed)})
+        race: Pressed(
+            angle=Angle(columns["contact_angle"]),
+            **{name: columns[name] for name in ("load", "deflection", *MORE_COLUMNS)},
+        )
         for race, columns in contacts.items()
     }
     rollers = _rollers_of(item, balls, where, at) if "rollers" in item else None

@@ -27,6 +27,7 @@ from rolamento.solved.tables import (
     CONTACT_COLUMNS,
     ELEMENT_COLUMNS,
     MORE_COLUMNS,
+    RACES,
     Answer,
     Contacts,
     Elements,
@@ -221,19 +222,45 @@ class Solved:
         return self._tables.elements
 
     @cached_property
-    def inner(self) -> Contacts:
-        """The contacts with the inner race."""
-        return self._contacts("inner")
-
-    @cached_property
-    def outer(self) -> Contacts:
-        """The contacts with the outer race."""
-        return self._contacts("outer")
-
-    @property
     def contacts(self) -> Mapping[Race, Contacts]:
         """The contacts by race."""
-        return {"inner": self.inner, "outer": self.outer}
+        rows, rollers, races = self.rows, self.rollers, {}
+        shared = {
+            "ball_diameter": rows.per_element(rows.ball_diameter),
+            "pitch_diameter": rows.per_element(rows.pitch_diameter),
+            "modulus": rows.per_element(rows.modulus),
+            "effective_length": rows.per_element(rows.effective_length),
+        }
+        for race in RACES:
+            pressed: Pressed = getattr(self._tables, race)
+            races[race] = Contacts(
+                race=race,
+                load=pressed.load,
+                angle=pressed.angle,
+                deflection=pressed.deflection,
+                approach=pressed.approach,
+                spin=pressed.spin,
+                roll=pressed.roll,
+                conformity=rows.per_element(getattr(rows, f"{race}_conformity")),
+                ring_poisson_ratio=self.case.bearing.ring_material.poisson_ratio,
+                ring_speed=self.field(f"duty.{race}_speed")[:, np.newaxis],
+                elements=self.elements,
+                line=None if rollers is None else getattr(rollers, race),
+                **shared,
+            )
+            if isinstance(self.answer, ReadAnswer):  # as they were written, to the last bit
+                vars(races[race]).update(self.answer.kept[race])
+        return races
+
+    @property
+    def inner(self) -> Contacts:
+        """The contacts with the inner race."""
+        return self.contacts["inner"]
+
+    @property
+    def outer(self) -> Contacts:
+        """The contacts with the outer race."""
+        return self.contacts["outer"]
 
     def pressed_on(self, race: Race) -> tuple[FloatArray, Angle]:
         """Return load and angle of the contacts with a race, alone; (cases, elements), N and rad.
@@ -244,31 +271,6 @@ class Solved:
             return self.answer.pressed_on(race)
         contacts = self.contacts[race]
         return contacts.load, contacts.angle
-
-    def _contacts(self, race: Race) -> Contacts:
-        rows = self.rows
-        pressed: Pressed = getattr(self._tables, race)
-        found = Contacts(
-            race=race,
-            load=pressed.load,
-            angle=pressed.angle,
-            deflection=pressed.deflection,
-            approach=pressed.approach,
-            spin=pressed.spin,
-            roll=pressed.roll,
-            ball_diameter=rows.per_element(rows.ball_diameter),
-            pitch_diameter=rows.per_element(rows.pitch_diameter),
-            conformity=rows.per_element(getattr(rows, f"{race}_conformity")),
-            modulus=rows.per_element(rows.modulus),
-            ring_poisson_ratio=self.case.bearing.ring_material.poisson_ratio,
-            ring_speed=self.field(f"duty.{race}_speed")[:, np.newaxis],
-            elements=self.elements,
-            line=None if self.rollers is None else getattr(self.rollers, race),
-            effective_length=rows.per_element(rows.effective_length),
-        )
-        if isinstance(self.answer, ReadAnswer):  # as they were written, to the last bit
-            vars(found).update(self.answer.kept[race])
-        return found
 
     @property
     def rolling(self) -> Rolling | None:

@@ -180,25 +180,20 @@ class Elements:
     raceway_control: IntArray
 
 
-@frozen(eq=False, slots=False)
+@frozen(eq=False)
 class Pressed:
     """What the rows answer of their contacts with one race; (cases, elements), SI.
 
-    load (N), contact_angle (rad), deflection (m), approach (m; a gap is below zero), and the
+    load (N), angle of the contact (rad), deflection (m), approach (m; a gap is below zero), and the
     angular speed of the element over the ring about the contact's normal and its tangent (rad/s).
     """
 
     load: FloatArray
-    contact_angle: FloatArray
+    angle: Angle
     deflection: FloatArray
     approach: FloatArray
     spin: FloatArray
     roll: FloatArray
-
-    @cached_property
-    def angle(self) -> Angle:
-        """The contact angle, with its cosine and sine."""
-        return Angle(self.contact_angle)
 
 
 @frozen(eq=False)
@@ -372,7 +367,9 @@ class Rows:
         return np.repeat(np.arange(len(self)), self.element_count)
 
     def per_element(self, values: FloatArray) -> FloatArray:
-        """Repeat numbers of the rows for their elements; (cases, elements)."""
+        """Repeat numbers of the rows for their elements; (cases, elements), only to be read."""
+        if len(self) == 1:
+            return np.broadcast_to(values, (*values.shape[:-1], int(self.element_count[0])))
         return values[..., self.row_of_element]
 
 
@@ -419,6 +416,7 @@ class Contacts:
     ellipticity = _column("_hertz.ellipticity", "a/b, of an unloaded contact too.")
     max_pressure = _column("_hertz.max_pressure", "Hertz pressure in the middle (Pa).")
     mean_pressure = _column("_hertz.mean_pressure", "Load over the area of the ellipse (Pa).")
+    resistance_to_spin = _column("_hertz.resistance_to_spin", "Q a E(m) (N·m).")
     max_shear = _column(
         "_maximum_shear.shear", "The maximum shear stress in the ring under the centre (Pa)."
     )
@@ -446,11 +444,6 @@ class Contacts:
         if self.line is None or self.effective_length is None:
             return point
         return self._of_lines(line_contact(self.line, self.effective_length, self.load), point)
-
-    @property
-    def resistance_to_spin(self) -> FloatArray:
-        """Q a E(m), as of `rolamento.kinematics.spin_resistance` (N·m)."""
-        return self.load * self.semi_major * self._hertz.second_integral
 
     @cached_property
     def _maximum_shear(self) -> MaximumShear:

@@ -185,7 +185,8 @@ def spread(
     kind, amount = _preload(case.bearing, arrays, cases)
     # what the rows have in common has to be sound by itself, as the case has it
     common = parameters_of(case.bearing, case.bearing, frozenset(), arrays)
-    _check_own_fields(case, arrays)
+    if arrays:
+        _check_own_fields(case, arrays)
     valid &= common.consistent
     limit = np.broadcast_to(common.element_diameter, cases)
     valid &= (np.abs(displacement[:, :3]) <= limit[:, np.newaxis]).all(axis=1)  # as `Case` has it
@@ -227,8 +228,12 @@ def spread(
             touching = 0.0 if case.bearing.preload is None else row.first_contact()
             press = place.offset + np.zeros(cases) + touching
         placed.append(PlacedRow(row, place.sign, position, press))
-    for part in placed:
-        part.row.invalidate(~valid)
+    if not valid.all():
+        for part in placed:
+            part.row.invalidate(~valid)
+    unconstrained = np.zeros(cases, np.bool_)
+    if case.bearing.bearing_type.washers:
+        unconstrained = _pushed_apart(placed[0].row, free, load)
     oil = case.lubricant
     coefficient = 0.0 if oil is None else oil.friction_coefficient or 0.0
     friction = arrays.get("lubricant.friction_coefficient", coefficient)
@@ -243,7 +248,7 @@ def spread(
         preload=kind,
         preload_value=amount,
         valid=valid,
-        unconstrained=_unconstrained(case.bearing, placed[0].row, free, load),
+        unconstrained=unconstrained,
         traction=Traction(np.full(cases, friction), np.full(cases, drag), case.model.mesh),
     )
     if found.alone is not None:
@@ -251,16 +256,12 @@ def spread(
     return found
 
 
-def _unconstrained(
-    bearing: RollingBearing, row: Row, free: BoolArray, load: FloatArray
-) -> BoolArray:
+def _pushed_apart(row: Row, free: BoolArray, load: FloatArray) -> BoolArray:
     """Cases whose washers are pushed apart, or pushed together by nothing; (cases,).
 
     Every contact of a thrust bearing pushes toward -x. Only where nothing else acts, at rest, may
     the axial load be zero.
     """
-    if not bearing.bearing_type.washers:
-        return np.zeros(len(free), np.bool_)
     acts = (load[:, 1:] != 0.0).any(axis=1)
     if isinstance(row, Driven):
         acts = acts | row.driven

@@ -93,39 +93,42 @@ def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
     """Solve under the raceway control asked for: solution, control used, verdict to show."""
     if mode == "jones":
         return solve_by_jones(system)
-    control = np.full((1, system.shape[1]), -1.0 if mode == "inner" else 1.0)
-    solution = system.guided(control).solve()
-    shown = control.astype(np.int64)
-    return solution, np.broadcast_to(control, system.shape), np.broadcast_to(shown, system.shape)
+    shape, race = system.shape, 1  # the outer, by itself
+    if mode == "inner":
+        race = -1
+        system = system.guided(np.full((1, shape[1]), -1.0))
+    return system.solve(), np.broadcast_to(float(race), shape), np.broadcast_to(race, shape)
 
 
 def result(cases: Cases, balanced: Balanced) -> Solved:
     """Put the result together; a case without one carries NaN."""
     lost = ~balanced.status.converged
-    parts = zip(
-        cases.guided(balanced.control).rows, balanced.rows, cases.split(balanced.shown), strict=True
+    guides = zip(cases.split(balanced.control), cases.split(balanced.shown), strict=True)
+    answers = tuple(
+        placed.row.answer(held, *guide, lost)
+        for placed, held, guide in zip(cases.rows, balanced.rows, guides, strict=True)
     )
-    answers = tuple(placed.row.answer(held, shown, lost) for placed, held, shown in parts)
     # a row is shown as often as it has faces
     faces = [(placed, face) for placed in cases.rows for face in placed.row.faces]
     geometry = [placed.row.geometry for placed, _ in faces]
-    displacement = _forgotten(balanced.place, lost)
-    load = balanced.force
+    place, load, stiffness = balanced.place, balanced.force, balanced.stiffness
     np.copyto(load, cases.load, where=cases.free)  # in place: what was given, to the last bit
-    load = _forgotten(load, lost)
+    carried = load[:, np.newaxis] if cases.alone is not None else _carried(cases, balanced)
+    for array in (place, load, stiffness, carried):
+        array[lost] = np.nan
     return Solved(
         case=cases.case,
         varied=cases.varied,
         status=balanced.status,
-        displacement=RingDisplacement(*displacement.T),
+        displacement=RingDisplacement(*place.T),
         load=RingLoad(*load.T),
-        stiffness=Stiffness(_forgotten(balanced.stiffness, lost)),
+        stiffness=Stiffness(stiffness),
         rows=Rows(
             sign=np.array([placed.sign * face for placed, face in faces]),
             element_count=np.array([placed.row.element_count for placed, _ in faces]),
             position=_side_by_side([placed.position for placed, _ in faces]),
-            load=_forgotten(_carried(cases, balanced, load), lost),
-            element=tuple(place.bearing.element for place in cases.case.bearing.places),
+            load=carried,
+            element=tuple(one.bearing.element for one in cases.case.bearing.places),
             **{
                 name: _side_by_side([getattr(own, name) for own in geometry])
                 for name in (*GEOMETRY_COLUMNS, "effective_length")
@@ -140,10 +143,8 @@ def _side_by_side(rows: Sequence[FloatArray]) -> FloatArray:
     return rows[0][:, np.newaxis] if len(rows) == 1 else np.stack(rows, axis=1)
 
 
-def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
+def _carried(cases: Cases, balanced: Balanced) -> FloatArray:
     """What the ring carries through each row; (cases, rows, 5), in the bearing's frame."""
-    if cases.alone is not None:
-        return load[:, np.newaxis]
     from rolamento.system.network import seen_by_row
 
     parts = [
@@ -151,11 +152,6 @@ def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
         for placed, held in zip(cases.rows, balanced.rows, strict=True)
     ]
     return np.concatenate(parts, axis=1)
-
-
-def _forgotten(array: FloatArray, lost: BoolArray) -> FloatArray:
-    array[lost] = np.nan
-    return array
 
 
 @frozen

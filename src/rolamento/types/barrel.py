@@ -22,6 +22,7 @@ TYPE: Final = BearingType(
     row="rolamento.rows.barrel:barrel_row",
     rated="roller",
     aligns=True,
+    notes=("free_tilt",),
     inclined=True,
     clearance_table="spherical",
     class_table="spherical",

@@ -28,5 +28,5 @@ TYPE: Final = BearingType(
     usual_misalignment=radians(
         2.5
     ),  # Nachi, self-aligning ball bearings: series 12, 22; 13, 23: 3°
-    notes=OF_BALLS,
+    notes=(*OF_BALLS, "free_tilt"),
 )

@@ -28,6 +28,7 @@ TYPE: Final = BearingType(
     rows=2,
     rated_together=True,
     aligns=True,
+    notes=("free_tilt",),
     inclined=True,
     clearance_table="spherical",
     class_table="spherical",

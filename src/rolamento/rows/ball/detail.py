@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,12 +22,12 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import TINY
 from rolamento.rows.ball.problem import Columns, directions
 from rolamento.rows.ball.rolling import Rolling, motion_of
+from rolamento.solved import Pressed
 
 Floats = NDArray[np.float64]
 
 
-@frozen
-class ContactTable:
+class ContactTable(NamedTuple):
     """One race's contacts: load (N), angle, deflection (m); (cases, balls).
 
     approach (m) is the deflection, or a gap below zero; past the edge of the groove it is into the
@@ -44,9 +44,8 @@ class ContactTable:
 class BallTable:
     """The balls of a batch; every field (cases, balls), SI, NaN where a case has no result."""
 
-    azimuth: Floats
-    inner: ContactTable
-    outer: ContactTable
+    inner: Pressed
+    outer: Pressed
     motion: BallMotion
     centrifugal_force: Floats
     gyroscopic_moment: Floats
@@ -57,12 +56,11 @@ def contact_tables(
     p: Columns,
     displacement: Floats,
     position: Floats,
-    azimuth: Floats,
     rolling: Rolling | None = None,
 ) -> tuple[ContactTable, ContactTable]:
     """The contacts of every ball with inner and outer race; arguments as of `ball_table`."""
     column = p.over_balls()
-    a1, a2 = groove_centres(p, displacement, azimuth)
+    a1, a2 = groove_centres(p, displacement, position.shape[1])
     x1, x2 = position[..., 0], position[..., 1]
     lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
     outer = _contacts(x1, x2, column, "outer", lift[1])
@@ -74,27 +72,25 @@ def ball_table(
     control: Floats,
     displacement: Floats,
     position: Floats,
-    azimuth: Floats,
     rolling: Rolling | None = None,
     contacts: tuple[ContactTable, ContactTable] | None = None,
 ) -> BallTable:
     """Evaluate every ball; rolling: how friction moves them, instead of raceway control.
 
-    control: +1 or -1 (cases, balls); displacement (cases, 5) in the scaled form of `rows`; position
-    (cases, balls, 2); azimuth (cases, balls); contacts: `contact_tables` of these, if at hand.
+    control: +1 or -1 (cases or 1, balls); displacement (cases, 5) in the scaled form of `rows`;
+    position (cases, balls, 2); contacts: `contact_tables` of these, if at hand.
     """
     column = p.over_balls()
-    inner, outer = contacts or contact_tables(p, displacement, position, azimuth, rolling)
-    yaw = np.zeros_like(azimuth)
+    inner, outer = contacts or contact_tables(p, displacement, position, rolling)
+    yaw = np.zeros_like(inner.load)
     motion = _motion(p, control.astype(np.int64), inner, outer)
     if rolling is not None:
         motion, yaw = motion_of(p, rolling, inner.angle.value, outer.angle.value, motion)
     # J / gamma' D is the parameter: times gamma' D, it is J again
     inertia = column[layout.GYROSCOPIC] * column[layout.GAMMA] * column[layout.BALL_DIAMETER]
     return BallTable(
-        azimuth=azimuth,
-        inner=inner,
-        outer=outer,
+        inner=Pressed(*inner, motion.inner_spin, motion.inner_roll),
+        outer=Pressed(*outer, motion.outer_spin, motion.outer_roll),
         motion=motion,
         centrifugal_force=column[layout.CENTRIFUGAL] * motion.orbital_speed**2,
         gyroscopic_moment=inertia
@@ -123,12 +119,12 @@ def _motion(
     )
 
 
-def groove_centres(p: Columns, displacement: Floats, azimuth: Floats) -> tuple[Floats, Floats]:
+def groove_centres(p: Columns, displacement: Floats, balls: int) -> tuple[Floats, Floats]:
     """A1, A2 of the inner groove's centre at every ball, as in `ball_table`; (cases, balls)."""
     column = p.over_balls()
     x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
     c0, s0 = p[layout.COS_FIRST][:, np.newaxis], p[layout.SIN_FIRST][:, np.newaxis]
-    cosines, sines = directions(azimuth.shape[-1])
+    cosines, sines = directions(balls)
     c, s = cosines * c0 - sines * s0, sines * c0 + cosines * s0
     a1 = column[layout.AXIAL_OFFSET] + x + c * tilt_y - s * tilt_z
     a2 = column[layout.RADIAL_OFFSET] + c * z + s * y
@@ -174,23 +170,17 @@ _ROWS: Final[dict[Race, tuple[int, int]]] = {
 
 
 def _stiffness(column: Columns, first: int, cosine: Floats) -> Floats:
-    """K at an angle, from as many coefficients as the case has."""
-    value = _polynomial(column, first, layout.COEFFICIENTS, cosine)
+    """K at an angle: a polynomial in cos α, of as many coefficients as the longest of the cases."""
+    count = layout.COEFFICIENTS
     if len(column.bearing) > layout.COLUMN - layout.DUTY:
-        long = _polynomial(column, layout.long_polynomial(first), layout.MOST_TERMS, cosine)
-        value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
-    return value
-
-
-def _polynomial(column: Columns, first: int, count: int, x: Floats) -> Floats:
-    coefficients = column[first : first + count]
-    value = coefficients[-1]
-    for coefficient in coefficients[-2::-1]:
-        value = value * x + coefficient
+        first, count = layout.long_polynomial(first), layout.MOST_TERMS
+    *lower, value = column[first : first + count]
+    for coefficient in reversed(lower):
+        value = value * cosine + coefficient
     return np.asarray(value)
 
 
-def hertz(p: Columns, contacts: ContactTable, race: Race) -> HertzContact:
+def hertz(p: Columns, contacts: Pressed, race: Race) -> HertzContact:
     """Ellipse and pressure of every contact of a race at its loaded angle; (cases, balls)."""
     column = p.over_balls()
     diameter = column[layout.BALL_DIAMETER]

@@ -199,5 +199,9 @@ def _put_polynomials(p: Columns, bearing: Any, count: int, where: Any = True) ->
         (layout.OUTER_STIFFNESS, exact.outer),
         (layout.SERIES_STIFFNESS, exact.combined),
     ):
-        start = first if count == layout.COEFFICIENTS else layout.long_polynomial(first)
-        np.copyto(p[start : start + count], np.linalg.solve(powers, values), where=where)
+        coefficients = np.linalg.solve(powers, values)
+        if count == layout.COEFFICIENTS:
+            p[first : first + count] = coefficients
+        if len(p.bearing) > layout.COLUMN - layout.DUTY:
+            start = layout.long_polynomial(first)
+            np.copyto(p[start : start + count], coefficients, where=where)

@@ -15,7 +15,13 @@ from rolamento.geometry import Angle, Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table, contact_tables
+from rolamento.rows.ball.detail import (
+    BallTable,
+    ContactTable,
+    axial_load,
+    ball_table,
+    contact_tables,
+)
 from rolamento.rows.ball.problem import (
     Columns,
     apply_model,
@@ -41,7 +47,6 @@ from rolamento.solved import (
     Elements,
     Index,
     IntArray,
-    Pressed,
     Rolling,
     RollingContacts,
     Tables,
@@ -76,7 +81,7 @@ class BallRow:
     @property
     def shape(self) -> tuple[int, int]:
         """Cases and balls."""
-        return self.cases, self.element_count
+        return self.p.cases, self.element_count
 
     @property
     def cases(self) -> int:
@@ -213,20 +218,15 @@ class BallRow:
             traction.cage_drag, mesh=traction.mesh, film=traction.film, threads=self.threads,
         )  # fmt: skip
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BallAnswer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         balls = cast(BallResponse, held)
         balls.position[lost], balls.displacement[lost] = np.nan, np.nan
         if balls.motion is not None:
             balls.motion.forget(lost)
-        return BallAnswer(
-            self.p,
-            np.broadcast_to(self.control, (self.cases, self.element_count)),
-            balls.position,
-            balls.displacement,
-            shown,
-            balls.motion,
-        )
+        return BallAnswer(self.p, control, balls.position, balls.displacement, shown, balls.motion)
 
 
 def ball_row(bearing: BallParameters, running: Running) -> BallRow:
@@ -286,25 +286,19 @@ class BallAnswer:
         return table.load, table.angle
 
     @cached_property
-    def _azimuth(self) -> FloatArray:
-        return ball_azimuths(self.p, self.position.shape[1])
-
-    @cached_property
     def _contacts(self) -> tuple[ContactTable, ContactTable]:
         """Inner and outer."""
-        return contact_tables(self.p, self.displacement, self.position, self._azimuth, self.motion)
+        return contact_tables(self.p, self.displacement, self.position, self.motion)
 
     def tables(self) -> Tables:
         """Evaluate every ball of every case."""
-        azimuth = self._azimuth
         found = ball_table(
-            self.p, self.control, self.displacement, self.position, azimuth, self.motion,
-            self._contacts,
-        )  # fmt: skip
-        motion = found.motion
+            self.p, self.control, self.displacement, self.position, self.motion, self._contacts
+        )
+        motion, balls = found.motion, self.position.shape[1]
         elements = Elements(
-            row=np.zeros(azimuth.shape[1], np.int64),
-            azimuth=azimuth,
+            row=np.zeros(balls, np.int64),
+            azimuth=ball_azimuths(self.p, balls),
             centrifugal_force=found.centrifugal_force,
             gyroscopic_moment=found.gyroscopic_moment,
             orbital_speed=motion.orbital_speed,
@@ -313,14 +307,10 @@ class BallAnswer:
             yaw=found.yaw,
             raceway_control=self.shown,
         )
-        return Tables(
-            elements,
-            _pressed(found.inner, motion.inner_spin, motion.inner_roll),
-            _pressed(found.outer, motion.outer_spin, motion.outer_roll),
-            None if self.motion is None else self._rolling(self.motion, found.inner, found.outer),
-        )
+        rolling = None if self.motion is None else self._rolling(self.motion, found)
+        return Tables(elements, found.inner, found.outer, rolling)
 
-    def _rolling(self, motion: Motion, inner: ContactTable, outer: ContactTable) -> Rolling | None:
+    def _rolling(self, motion: Motion, balls: BallTable) -> Rolling | None:
         if not np.isfinite(motion.cage_speed).any():
             return None
         return Rolling(
@@ -330,8 +320,8 @@ class BallAnswer:
             outer_torque=motion.torque("outer"),
             imbalance=motion.imbalance,
             angular_velocity=motion.angular_velocity,
-            inner=self._rolling_contacts(motion, "inner", inner.angle.value),
-            outer=self._rolling_contacts(motion, "outer", outer.angle.value),
+            inner=self._rolling_contacts(motion, "inner", balls.inner.angle.value),
+            outer=self._rolling_contacts(motion, "outer", balls.outer.angle.value),
         )
 
     def _rolling_contacts(self, motion: Motion, race: Race, angle: FloatArray) -> RollingContacts:
@@ -351,9 +341,3 @@ class BallAnswer:
             force_along=forces[..., 2],
             force_across=sideways,
         )
-
-
-def _pressed(table: ContactTable, spin: FloatArray, roll: FloatArray) -> Pressed:
-    found = Pressed(table.load, table.angle.value, table.deflection, table.approach, spin, roll)
-    vars(found)["angle"] = table.angle
-    return found

@@ -173,8 +173,10 @@ def solve_columns(
             _run_threads(own, some, with_inertia, threads, fast, most_work, solution, near)
         # what is left out at rest is part of the residual: some have to be solved with it
         left_out = solution.number == accept.NEEDS_INERTIA
-        moving |= (left_out | (solution.number == status.NOT_CONVERGED)) & turns(p)
-    solution.forget(solution.number == status.INVALID_INPUT)
+        moving |= (left_out | (solution.number == status.NOT_CONVERGED)) & has_inertia(p, 0.0)
+    invalid = solution.number == status.INVALID_INPUT
+    if invalid.any():
+        solution.forget(invalid)
     return solution
 
 
@@ -199,22 +201,17 @@ def compile_all(p: Columns, control: Floats, balls: int) -> None:
         ready(rarely)(batch, True, True, none, work, out)
 
 
-def turns(p: Columns) -> NDArray[np.bool_]:
-    """Which columns have any inertia: a speed, and an effect that is switched on."""
-    speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
-    return np.asarray(speed * np.maximum(p[layout.CENTRIFUGAL], p[layout.GYROSCOPIC]) > 0.0)
-
-
-def has_inertia(p: Columns) -> NDArray[np.bool_]:
-    """Which columns are solved with the balls' inertia from the first.
+def has_inertia(p: Columns, least: float = LEAST_INERTIA) -> NDArray[np.bool_]:
+    """Which columns are solved with the balls' inertia from the first; all that have any: least 0.
 
     The others are tried as at rest: their centrifugal force alone would press a ball in by
     (F/K)^(2/3), not much more than the 1e-16 of the groove's offset to which that is known.
+    least: that approach over the offset, from which on it counts.
     """
     speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
     force = np.maximum(p[layout.CENTRIFUGAL], 5.0 * p[layout.GYROSCOPIC]) * (0.5 * speed) ** 2
     with np.errstate(invalid="ignore"):
-        approach = LEAST_INERTIA * p[layout.OUTER_LENGTH]
+        approach = least * p[layout.OUTER_LENGTH]
         return np.asarray(force > p[layout.SERIES_STIFFNESS] * approach * np.sqrt(approach))
 
 
@@ -305,5 +302,4 @@ def ball_azimuths(p: Columns, balls: int) -> Floats:
 
 def row_verdict(p: Columns, control: Floats, solution: BallResponse) -> NDArray[np.int64]:
     """Jones's criterion for every ball of a row; (cases, balls)."""
-    azimuth = ball_azimuths(p, control.shape[1])
-    return criterion(p, ball_table(p, control, solution.displacement, solution.position, azimuth))
+    return criterion(p, ball_table(p, control, solution.displacement, solution.position))

@@ -15,7 +15,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import Columns, directions, ring_arms
 from rolamento.rows.ball.row import BallRow
-from rolamento.rows.ball.run import BallResponse, has_inertia, turns
+from rolamento.rows.ball.run import BallResponse, has_inertia
 from rolamento.rows.ball.set_blocks import (
     PRESS,
     STANDING,
@@ -62,7 +62,7 @@ def settle(rows: Sequence[BallRow], ring: OnRing) -> Proposal | None:
         run.solve(np.flatnonzero(still), moving=False)
         # what is left out of those is part of their residual: some have to be solved with it
         again = still & (run.found.code == NEEDS_INERTIA).any(axis=0)
-        moving |= again & np.all([turns(p) for p in run.columns], axis=0)
+        moving |= again & np.all([has_inertia(p, 0.0) for p in run.columns], axis=0)
     if moving.any():
         run.solve(np.flatnonzero(moving), moving=True)
     return run.proposal()

@@ -9,6 +9,7 @@ import numpy as np
 
 from rolamento.case.parameters import RollerParameters
 from rolamento.contact.line import EXPONENT, half_width, max_pressure
+from rolamento.geometry import Angle
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball.problem import directions
@@ -210,7 +211,9 @@ class RollerRow:
         found[which] = np.where(near, place[:, 0], np.nan)
         return np.full(self.cases, found[0]) if alike else found
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> RollerAnswer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> RollerAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         rollers = cast(RollerResponse, held)
         solution = rollers.solution
@@ -312,7 +315,7 @@ class RollerAnswer:
             raceway_control=self.shown,
         )
         pressed = [
-            Pressed(load, wide(angle), deep, approach, wide(spin), wide(roll))
+            Pressed(load, Angle(wide(angle)), deep, approach, wide(spin), wide(roll))
             for (load, deep, _), approach, angle, spin, roll in (
                 (races[0], inner, g.axis - g.half_angle, motion.inner_spin, motion.inner_roll),
                 (races[1], outer, g.axis + g.half_angle, motion.outer_spin, motion.outer_roll),

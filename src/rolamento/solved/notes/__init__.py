@@ -8,7 +8,7 @@ Their sentences are in `rolamento.words.sentences.solved`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from rolamento.solved.notes import balls, bearing, rollers
 from rolamento.solved.notes.advice import advice_on
@@ -39,25 +39,35 @@ __all__ = [
     "usual_misalignments",
 ]
 
+_Check: TypeAlias = Callable[["Solved"], Iterator[Note]]
+
 _OF_ANY: Final = (
-    bearing.other_than_said, bearing.lost_rows, bearing.lost_contacts, balls.pressures,
-    bearing.speeds, bearing.tilts, bearing.free_directions, bearing.free_tilt,
-    bearing.estimated_geometry, bearing.letters, bearing.nearly_lost,
+    bearing.lost_contacts, balls.pressures, bearing.speeds, bearing.tilts, bearing.free_directions,
 )  # fmt: skip
+_OF_DESIGNATION: Final = (bearing.other_than_said, bearing.estimated_geometry, bearing.letters)
+"""Checks of what a designation says, if there is one."""
+_OF_ROWS: Final = (bearing.lost_rows, bearing.nearly_lost)
+"""Checks of several rows beside each other."""
+_OF_CONTROL: Final[Mapping[_Check, tuple[str, ...]]] = {
+    balls.control: ("outer", "inner", "jones"),
+    balls.orbits: ("inner", "jones"),
+    balls.gyroscopic_slip: ("outer", "inner", "jones", "none"),
+    balls.rolling: ("friction",),
+}
+"""The raceway controls of the model that a check is about, where it is not about all."""
 _OF_ROLLERS: Final = (
     rollers.rollers_unloaded, rollers.line_pressures, rollers.misaligned,
     rollers.on_part_of_the_length, rollers.ends,
 )  # fmt: skip
 """Checks of the rollers of a ring, whatever else rolls in it."""
 _ORDER: Final = (
-    *_OF_ANY[:4], balls.past_edge, balls.shoulders, *_OF_ANY[4:8], balls.control, balls.orbits,
-    balls.gyroscopic_slip, balls.gyroscopic_left_out, balls.arches, balls.rolling, *_OF_ANY[8:],
-    bearing.radial_load_on_thrust, balls.four_point_load, rollers.axial_load_on_torus,
-    *_OF_ROLLERS,
+    bearing.other_than_said, bearing.lost_rows, *_OF_ANY[:2], balls.past_edge, balls.shoulders,
+    *_OF_ANY[2:], bearing.free_tilt, balls.control, balls.orbits, balls.gyroscopic_slip,
+    balls.gyroscopic_left_out, balls.arches, balls.rolling, *_OF_DESIGNATION[1:],
+    bearing.nearly_lost, bearing.radial_load_on_thrust, balls.four_point_load,
+    rollers.axial_load_on_torus, *_OF_ROLLERS,
 )  # fmt: skip
-CHECKS: Final[Mapping[str, Callable[[Solved], Iterator[Note]]]] = {
-    check.__name__: check for check in _ORDER
-}
+CHECKS: Final[Mapping[str, _Check]] = {check.__name__: check for check in _ORDER}
 """Every check by its name, in the order of the notes."""
 
 
@@ -65,8 +75,18 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     """The notes on a single case; none without a result."""
     if not solved.converged[0]:
         return ()
-    brought = [{*one.notes} for one in solved.case.bearing.row_types]
-    wanted = set.intersection(*brought) | {check.__name__ for check in _OF_ANY}
-    if solved.rollers is not None:
-        wanted |= {check.__name__ for check in _OF_ROLLERS}
-    return tuple(note for name, check in CHECKS.items() if name in wanted for note in check(solved))
+    case, control = solved.case, solved.case.model.raceway_control
+    common = (
+        *_OF_ANY,
+        *(_OF_DESIGNATION if case.bearing.resolved is not None else ()),
+        *(_OF_ROWS if len(solved.rows) > 1 else ()),
+        *(_OF_ROLLERS if solved.rollers is not None else ()),
+    )
+    brought = set.intersection(*({*one.notes} for one in case.bearing.row_types))
+    wanted = brought | {check.__name__ for check in common}
+    return tuple(
+        note
+        for name, check in CHECKS.items()
+        if name in wanted and control in _OF_CONTROL.get(check, (control,))
+        for note in check(solved)
+    )

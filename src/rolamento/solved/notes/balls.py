@@ -130,7 +130,7 @@ def arches(solved: Solved) -> Iterator[Note]:
 def control(solved: Solved) -> Iterator[Note]:
     """Where Jones's criterion does not confirm the assumed raceway control."""
     assumed = solved.case.model.raceway_control
-    if assumed in ("none", "friction") or not turns(solved):
+    if not turns(solved):
         return
     if assumed == "jones":
         undecided = solved.elements.raceway_control[0] == RacewayControl.INDETERMINATE
@@ -148,8 +148,6 @@ def control(solved: Solved) -> Iterator[Note]:
 
 def orbits(solved: Solved) -> Iterator[Note]:
     """Balls that inner control drives faster or slower than either ring turns."""
-    if solved.case.model.raceway_control not in ("inner", "jones"):
-        return
     slow, fast = np.sort([solved.field(f"duty.{race}_speed")[0] for race in ("inner", "outer")])
     orbit = solved.elements.orbital_speed[0]
     outside = np.maximum(slow - orbit, orbit - fast) > ORBIT_SLACK * max(abs(slow), abs(fast))
@@ -159,11 +157,8 @@ def orbits(solved: Solved) -> Iterator[Note]:
 
 def gyroscopic_slip(solved: Solved) -> Iterator[Note]:
     """Balls whose gyroscopic moment needs more friction than a lubricated contact gives."""
-    mode = solved.case.model.raceway_control
-    if mode == "friction":
-        return
     inner, outer, moment = solved.inner, solved.outer, solved.elements.gyroscopic_moment
-    if mode == "none":  # both races share it
+    if solved.case.model.raceway_control == "none":  # both races share it
         load, share = np.minimum(inner.load, outer.load), 1.0
     else:
         by_inner = solved.elements.raceway_control == RacewayControl.INNER
@@ -211,8 +206,6 @@ def gyroscopic_left_out(solved: Solved) -> Iterator[Note]:
 
 def rolling(solved: Solved) -> Iterator[Note]:
     """What friction does that raceway control would not show."""
-    if solved.case.model.raceway_control != "friction":
-        return
     rolling = solved.rolling
     if rolling is None:
         yield Note("friction_control_at_rest")

@@ -41,8 +41,7 @@ def other_than_said(solved: Solved) -> Iterator[Note]:
     case = solved.case
     bearing = case.bearing
     resolved = bearing.resolved
-    if resolved is None:
-        return
+    assert resolved is not None
     preload, own = resolved.designation.letters.preload, case.life
     if preload is not None and bearing.preload is None:
         values = {"part": preload.text, "meaning": preload.meaning}
@@ -73,7 +72,7 @@ def lost_rows(solved: Solved) -> Iterator[Note]:
 def lost_contacts(solved: Solved) -> Iterator[Note]:
     """Balls that the inner ring does not touch."""
     free = ~solved.loaded[0]
-    if nothing_given(solved):
+    if free.all() and nothing_given(solved):
         yield Note("no_load_given", {"speed": turns(solved)})
         return
     if free.all():
@@ -118,7 +117,7 @@ def tilts(solved: Solved) -> Iterator[Note]:
 
 def free_directions(solved: Solved) -> Iterator[Note]:
     """Directions without load and without stiffness: their displacement is arbitrary."""
-    if not solved.load.array.any():
+    if not np.any(solved.load):
         return  # nothing is held, and lost_contacts says so
     free = free_degrees(solved)
     if solved.case.bearing.bearing_type.aligns:
@@ -143,7 +142,7 @@ def free_directions(solved: Solved) -> Iterator[Note]:
 
 def free_tilt(solved: Solved) -> Iterator[Note]:
     """The tilt of a self-aligning bearing that is not given: nothing determines it."""
-    if solved.case.bearing.bearing_type.aligns and free_degrees(solved)[3:].any():
+    if free_degrees(solved)[3:].any():
         yield Note("tilt_undetermined")
 
 
@@ -151,7 +150,8 @@ def estimated_geometry(solved: Solved) -> Iterator[Note]:
     """An internal geometry that stands in for one that the catalogue does not have."""
     bearing = solved.case.bearing
     name, resolved = bearing.designation, bearing.resolved
-    if resolved is None or "inferred" not in bearing.origins.values():
+    assert resolved is not None
+    if "inferred" not in bearing.origins.values():
         return
     alike = sum(one.reproduces for one in resolved.candidates)
     if bearing.from_given_ratings:
@@ -166,8 +166,7 @@ def letters(solved: Solved) -> Iterator[Note]:
     """What of a designation changes nothing, or is not understood."""
     bearing = solved.case.bearing
     name, resolved = bearing.designation, bearing.resolved
-    if resolved is None:
-        return
+    assert resolved is not None
     letters, listed = resolved.designation.letters, resolved.bearing
     if resolved.stands_in:
         known = {"maker": listed.maker, "listed": listed.designation}

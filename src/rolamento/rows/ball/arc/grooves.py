@@ -34,7 +34,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.parameters import BallParameters
 from rolamento.contact.hertz import effective_modulus, series_stiffness
 from rolamento.contact.race import race_stiffness
-from rolamento.geometry import edge_cosine, groove_places
+from rolamento.geometry import Angle, edge_cosine, groove_places
 from rolamento.kinematics import (
     ball_mass,
     ball_motion,
@@ -287,7 +287,9 @@ class GrooveRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> GrooveAnswer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> GrooveAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         balls = cast(GroovesResponse, held)
         balls.position[lost], balls.place[lost] = np.nan, np.nan
@@ -362,13 +364,13 @@ class GrooveAnswer:
                 (
                     own,
                     moment,
-                    _pressed(
-                        parts[index][0], inner,
+                    (
+                        parts[index][0].load, parts[index][0].approach, inner,
                         behind * np.sin(inner) + ball_r * np.cos(inner),
                         behind * np.cos(inner) - ball_r * np.sin(inner),
                     ),
-                    _pressed(
-                        parts[index][1], outer,
+                    (
+                        parts[index][1].load, parts[index][1].approach, outer,
                         -ahead * np.sin(outer) - ball_r * np.cos(outer),
                         ahead * np.cos(outer) - ball_r * np.sin(outer),
                     ),
@@ -395,10 +397,10 @@ class GrooveAnswer:
             raceway_control=np.tile(self.shown, (1, faces)),
         )
         inner_race, outer_race = (
-            Pressed(*(wide([getattr(c[i], one.name) for c in columns]) for one in fields(Pressed)))
+            [wide(list(parts)) for parts in zip(*(column[i] for column in columns), strict=True)]
             for i in (2, 3)
         )
-        return Tables(elements, inner_race, outer_race)
+        return Tables(elements, _pressed(*inner_race), _pressed(*outer_race))
 
 
 # --- from a case to its numbers -------------------------------------------------------------------
@@ -618,6 +620,8 @@ def _both(n: _Numbers) -> FloatArray:
     )
 
 
-def _pressed(contact: _Contact, angle: FloatArray, spin: FloatArray, roll: FloatArray) -> Pressed:
-    deflection = np.where(contact.load > 0.0, contact.approach, 0.0 * contact.approach)
-    return Pressed(contact.load, angle, deflection, contact.approach, spin, roll)
+def _pressed(
+    load: FloatArray, approach: FloatArray, angle: FloatArray, spin: FloatArray, roll: FloatArray
+) -> Pressed:
+    deflection = np.where(load > 0.0, approach, 0.0 * approach)
+    return Pressed(load, Angle(angle), deflection, approach, spin, roll)

@@ -217,9 +217,11 @@ class SphereRow:
         """Jones's criterion for every ball; (cases, balls)."""
         return self.row.verdict(cast(SphereResponse, held).balls, which)
 
-    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BallAnswer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
-        return self.row.answer(cast(SphereResponse, held).balls, shown, lost)
+        return self.row.answer(cast(SphereResponse, held).balls, control, shown, lost)
 
 
 def sphere_row(bearing: BallParameters, running: Running) -> SphereRow:

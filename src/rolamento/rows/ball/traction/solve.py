@@ -20,7 +20,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Columns, Floats, directions, ring_arms
 from rolamento.rows.ball.rolling import Rolling
-from rolamento.rows.ball.run import BallResponse, ball_azimuths, has_inertia
+from rolamento.rows.ball.run import BallResponse, has_inertia
 from rolamento.rows.ball.traction import balance, system
 from rolamento.rows.ball.traction.balance import Place
 from rolamento.rows.ball.traction.ball import (
@@ -71,9 +71,7 @@ def solve_rolling(
     constants = case_constants(p, friction)
     solution = BallResponse.empty(cases, balls, start.arms)
     solution.put(np.arange(cases), start)
-    table = ball_table(
-        p, np.ones((1, balls)), start.displacement, start.position, ball_azimuths(p, balls)
-    )
+    table = ball_table(p, np.ones((1, balls)), start.displacement, start.position)
     rolling = Rolling.empty(cases, balls, constants[RADIUS], _mean_orbit(table))
     if film is not None:
         rolling.lift[:] = film.lift
