@@ -18,6 +18,7 @@ from rolamento.rows.ball.row import BallRow
 from rolamento.rows.ball.run import BallResponse, has_inertia, turns
 from rolamento.rows.ball.set_blocks import (
     PRESS,
+    SPRINGS,
     STANDING,
     Balance,
     BalanceRequest,
@@ -144,8 +145,10 @@ class _Run:
 
     def solve(self, chosen: IntArray, *, moving: bool) -> None:
         """Solve some of the cases, in threads, chunks of them at a time."""
-        pairs = [directions(row.element_count) for row in self.rows]
-        cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
+        counts = [row.element_count for row in self.rows]
+        few = [min(count, SPRINGS) for count in counts]
+        cosines, sines = np.concatenate([directions(count) for count in counts], axis=1)
+        springs = np.concatenate([directions(count) for count in few], axis=1)
         longest = max(len(p.bearing) for p in self.columns)
         alike = all(p.bearing.shape[1] == 1 for p in self.columns)
 
@@ -160,9 +163,12 @@ class _Run:
             control = self.control if len(self.control) == 1 else self.control[some]
             # one order in memory: the kernels are compiled for each that they meet
             stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
-            rows = Rows(duty, bearing, stand, control, cosines, sines, self._ends)
+            rows = Rows(
+                duty, bearing, stand, control, cosines, sines, self._ends, springs,
+                np.cumsum([0, *few]),
+            )  # fmt: skip
             asked = BalanceRequest(*(np.ascontiguousarray(one[some]) for one in self.asked))
-            work = Work.of(len(self.rows), len(cosines), layout.DUTY + longest)
+            work = Work.of(len(self.rows), len(cosines), sum(few), layout.DUTY + longest)
             kernel(rows, asked, moving, some, work, self.found)
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
