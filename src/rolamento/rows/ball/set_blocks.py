@@ -34,6 +34,7 @@ from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADE
 from rolamento.status import TOLERANCE as TOLERANCE_OF_ROWS
 
 STATIC_STEPS: Final = 16
+START_STEPS: Final = 6  # of a static start for moving balls
 MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 0.05  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
@@ -74,10 +75,10 @@ class Rows(NamedTuple):
 
 
 class BalanceRequest(NamedTuple):
-    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled.
+    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled by their arm.
 
     reach: of the longest step of a ring without inertia; firm: a stiffness that is small against
-    any real one, so that a ring that touches nothing moves with its load; (n,).
+    any real one, so that a ring that touches nothing moves with its load; arm: of a tilt; (n,).
     """
 
     free: Array
@@ -85,12 +86,13 @@ class BalanceRequest(NamedTuple):
     start: Array
     reach: Array
     firm: Array
+    arm: Array
 
 
 class Balance(NamedTuple):
     """What the kernel writes, over all cases.
 
-    Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), scaled;
+    Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), in SI;
     residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
     (cases, balls, 2).
     Of the rows: displacement, scaled, reaction (rows, cases, 5), cage, row_residual, code (rows,
@@ -289,11 +291,12 @@ def _settle_static(
 ) -> None:
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
-    Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
-    settle; its place is the start then. Balls in motion are put near theirs.
+    Writes the places, and the steps: zero where a lane failed; its place is the start then. Balls
+    in motion are put near theirs, from wherever the ring is after a few steps.
     """
     s, v, w, b = work.s, work.v, work.w, work.b
     tolerance = START_TOLERANCE if moving else TOLERANCE
+    last = START_STEPS if moving else STATIC_STEPS
     springs, ends = (work.springs, rows.spring_ends) if moving else (b, rows.ends)
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
@@ -304,7 +307,7 @@ def _settle_static(
             _put_ring(work, lane, asked, k, True)
             _put_place(work, lane, rows, k, asked.start[k])
         open_lanes = count
-        for step in range(STATIC_STEPS):
+        for step in range(last):
             set_lanes.empty_set(s)
             for row in range(w.shape[0]):
                 lanes.reset_sums(w[row])
@@ -323,9 +326,9 @@ def _settle_static(
             for lane in range(count):
                 case = chosen[block + lane]
                 near = s[set_lanes.UNBALANCED * _LANES + lane] <= tolerance
-                if found.steps[case] == 0 and (near or step + 1 == STATIC_STEPS):
+                if found.steps[case] == 0 and (near or step + 1 == last):
                     # a place that does not depend on how long its neighbours take
-                    found.steps[case] = step + 1 if near or not moving else 0
+                    found.steps[case] = step + 1
                     _read_place(s, lane, found.place[case])
                     open_lanes -= 1
             if open_lanes == 0:
@@ -482,6 +485,12 @@ def _judge_row(
     put_reaction(work.w[row], lane, ring.reaction, ring.matrix)
 
 
+@inline_exact
+def _arm_of(unknown: int, arm: float) -> float:
+    """What turns a scaled load of the ring into N or N·m; its last unknown is a slide."""
+    return arm if layout.SHIFTS <= unknown < layout.DEGREES_OF_FREEDOM else 1.0
+
+
 @filling
 def _judge(
     work: Work,
@@ -528,11 +537,15 @@ def _judge(
             code = found.code[row, case]
             sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
             read_reaction(w[row], lane, found.reaction[row, case], found.row_stiffness[row, case])
+        arm, place = asked.arm[block + lane], found.place[case]
         force, stiffness = found.force[case], found.stiffness[case]
         for i in range(UNKNOWNS):
-            force[i] = s[(set_lanes.FORCE + i) * _LANES + lane]
+            own = _arm_of(i, arm)
+            place[i] /= own
+            force[i] = own * s[(set_lanes.FORCE + i) * _LANES + lane]
             for j in range(UNKNOWNS):
-                stiffness[i, j] = s[(set_lanes.MATRIX + UNKNOWNS * i + j) * _LANES + lane]
+                entry = s[(set_lanes.MATRIX + UNKNOWNS * i + j) * _LANES + lane]
+                stiffness[i, j] = own * _arm_of(j, arm) * entry
         found.residual[case] = s[set_lanes.UNBALANCED * _LANES + lane]
         found.sound[case] = sound and found.residual[case] <= PRECISION
 
