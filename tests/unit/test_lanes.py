@@ -98,7 +98,7 @@ def test_moving_balls(code: Code, filled: tuple[np.ndarray, ...]) -> None:
         code(lanes.place_ball)(w, ball)
     code(lanes.reset_sums)(w)
     for ball in b:
-        code(lanes.add_moving_ball)(w, ball, 1e-6)
+        code(lanes.add_moving_ball)(w, ball, 1e-6, 0.0)
     for lane in range(N):
         pieces, drives = [], []
         for j in range(BALLS):
@@ -174,7 +174,7 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
         code(lanes.place_ball)(w, ball)
     code(lanes.reset_sums)(w)
     for ball in b:
-        code(lanes.add_moving_ball)(w, ball, 1e-6)
+        code(lanes.add_moving_ball)(w, ball, 1e-6, 0.0)
     code(lanes.step_ring)(w)
     before = b.copy()
     for ball in b:

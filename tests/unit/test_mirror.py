@@ -27,10 +27,10 @@ def found_planes(case: Case, duties: dict[str, np.ndarray], control: np.ndarray)
     return planes(spread(case, duties).rows[0].row.p, control).tolist()
 
 
-@pytest.mark.parametrize("plane", [1, 2])
+@pytest.mark.parametrize("plane", AXES)
 @pytest.mark.parametrize("balls", [4, 6, 15, 16])
 def test_every_ball_is_seen_once(balls: int, plane: int) -> None:
-    if plane == 2 and balls % 2:
+    if plane % 2 == 0 and balls % 2:
         return
     half = mirror(balls, plane)
     images = half.seats[: half.pairs].ravel().tolist()
@@ -38,26 +38,30 @@ def test_every_ball_is_seen_once(balls: int, plane: int) -> None:
     assert (alone[:, 0] == alone[:, 1]).all()
     assert sorted(images + alone[:, 0].tolist()) == list(range(balls))
     cosines, sines = directions(balls)
+    if plane > 2:
+        between = np.pi / balls * (2 * np.arange(balls) + 1)
+        cosines, sines = np.cos(between), np.sin(between)
     own, image = half.seats.T
-    turned, kept = (sines, cosines) if plane == 1 else (cosines, sines)
-    np.testing.assert_array_equal(turned[own], -turned[image])
-    np.testing.assert_array_equal(kept[own], kept[image])
+    turned, kept = (sines, cosines) if plane % 2 else (cosines, sines)
+    np.testing.assert_allclose(turned[own], -turned[image], atol=0.0 if plane < 3 else 1e-15)
+    np.testing.assert_allclose(kept[own], kept[image], atol=0.0 if plane < 3 else 1e-15)
 
 
 @pytest.mark.parametrize("speed", [0.0, 1200.0], ids=["at rest", "at speed"])
 @pytest.mark.parametrize("tilting", [False, True], ids=["held", "tilting"])
-@pytest.mark.parametrize("plane", [1, 2], ids=["along z", "along y"])
+@pytest.mark.parametrize("plane", AXES, ids=["along z", "along y", "between, z", "between, y"])
 def test_half_of_the_balls_is_all_of_them(
     plane: int, tilting: bool, speed: float, case_218: Case
 ) -> None:
     rng = np.random.default_rng(4)
     fx = rng.uniform(2e3, 4e4, CASES)
-    force, moment, broken = ("fz", "my", "fy") if plane == 1 else ("fy", "mz", "fz")
+    force, moment, broken = ("fz", "my", "fy") if plane % 2 else ("fy", "mz", "fz")
     duties = {
         "fx": fx,
         force: fx * rng.uniform(-0.8, 0.8, CASES),
         broken: np.zeros(CASES),
         "inner_speed": np.full(CASES, speed),
+        "first_ball_azimuth": np.full(CASES, np.radians(11.25) if plane > 2 else 0.0),
     }
     for tilt in ("ry", "rz"):
         duties[tilt] = np.zeros(CASES)
@@ -87,6 +91,8 @@ def test_what_has_no_mirror_image(case_218: Case) -> None:
     assert found_planes(case_218, both, control) == [1, 0]
     turned = axial | {"first_ball_azimuth": np.array([0.0, 0.1])}
     assert found_planes(case_218, turned, control) == [1, 0]
+    between = axial | {"first_ball_azimuth": np.radians([11.25, 11.2])}
+    assert found_planes(case_218, between, control) == [3, 0]
     tilted = axial | {"rz": np.array([1e-4, 0.0])}
     assert found_planes(case_218, tilted, control) == [2, 1]
     pushed = tilted | {"fz": np.array([1.0, 1.0])}

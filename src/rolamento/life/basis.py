@@ -572,11 +572,12 @@ def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
     """
     rows = solved.rows
     try:
-        basis = Basis.of(solved, conditions_of(solved))
+        angle = within_rating(nominal_contact_angle(solved), row_kinds(solved))
+        ratings = ratings_of(solved, angle, conditions_of(solved))
+        loads = _equivalent_loads(solved, angle, ratings)
     except UnratedError:
         nothing = np.full((len(solved), 1), np.nan)
         return nothing, nothing
-    ratings, loads = basis.ratings, basis.loads
     if solved.case.bearing.rows_of_one_bearing > 1 or len(rows) == 1:
         return ratings.static_of_set[:, np.newaxis], loads.static[:, np.newaxis]
     nominal = nominal_contact_angle(solved)

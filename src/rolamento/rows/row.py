@@ -390,7 +390,7 @@ class OnRing:
 class Proposal:
     """Where rings and rows of many cases came to rest, and whether that may be shown.
 
-    place, force (n, 6), stiffness (n, 6, 6): scaled as `OnRing`; residual, steps, sound (n,).
+    place, force (n, 6), stiffness (n, 6, 6), SI; residual, steps, sound (n,).
     """
 
     place: FloatArray

@@ -395,6 +395,8 @@ def _judged(found: Balance, rows: Sequence[Response]) -> tuple[IntArray, IntArra
 def gravest(rows: Sequence[Response], cases: int) -> tuple[IntArray, IntArray]:
     """The gravest verdict on the rows of each case, and the unknown that nothing holds, or -1."""
     number, unsupported = np.full(cases, CONVERGED), np.full(cases, -1)
+    if all((held.number == CONVERGED).all() for held in rows):
+        return number, unsupported
     for verdict in (OVERLOADED, UNCONSTRAINED_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
         hit = np.any([held.number == verdict for held in rows], axis=0) if rows else False
         number[hit] = verdict

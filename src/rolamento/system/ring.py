@@ -189,22 +189,21 @@ class RowsOnRing:
         )
         if found is None:
             return None
-        arms, known = asked.arms, min(asked.arms.shape[1], JOINT)
-        n, unknowns = arms.shape
-        rest = Rest.nowhere(n, unknowns, ())
-        rest.rows = list(found.rows)
-        rest.place[:], rest.force[:], rest.stiffness[:] = 0.0, 0.0, 0.0
-        rest.place[:, :known] = found.place[:, :known]
-        rest.force[:, :known] = found.force[:, :known]
-        rest.stiffness[:, :known, :known] = found.stiffness[:, :known, :known]
-        rest.place /= arms
-        rest.force *= arms
-        rest.stiffness *= arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
-        rest.residual[:], rest.iterations[:] = found.residual, found.steps
-        rest.number[:], rest.unsupported[:] = gravest(rest.rows, n)
-        rest.number[~found.sound] = NOT_CONVERGED
-        rest.number[~asked.sound] = INVALID_INPUT
-        return rest
+        n, unknowns = asked.arms.shape
+        number, unsupported = gravest(found.rows, n)
+        number[~found.sound] = NOT_CONVERGED
+        number[~asked.sound] = INVALID_INPUT
+        return Rest(
+            place=_of_network(found.place, unknowns),
+            force=_of_network(found.force, unknowns),
+            stiffness=_of_network(found.stiffness, unknowns),
+            residual=found.residual,
+            number=number,
+            unsupported=unsupported,
+            iterations=found.steps,
+            safe_path=np.zeros(n, np.bool_),
+            rows=list(found.rows),
+        )
 
     def _propose(self, asked: Asked, start: FloatArray) -> tuple[IntArray, FloatArray | None]:
         """Begin where a row that is the whole bearing says that the ring rests; in how many steps.
@@ -261,6 +260,16 @@ def _of_joint(values: Unknowns) -> Unknowns:
     """The unknowns of rows that are balanced in one go; zero where there is no slide."""
     more = JOINT - values.shape[1]
     return np.pad(values, ((0, 0), (0, more))) if more > 0 else values[:, :JOINT]
+
+
+def _of_network(values: FloatArray, unknowns: int) -> FloatArray:
+    """Forces, places or stiffnesses of the joint unknowns among so many; zero of what is more."""
+    shape = values.shape[0], *(unknowns for _ in values.shape[1:])
+    if unknowns <= JOINT:
+        return values[tuple(slice(size) for size in shape)]
+    room = np.zeros(shape)
+    room[tuple(slice(size) for size in values.shape)] = values
+    return room
 
 
 def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:

@@ -237,6 +237,28 @@ def read_position(b: Array, lane: int, x: Array, ball: int) -> None:
 
 
 @inline_exact
+def read_reaction(w: Array, lane: int, reaction: Array, stiffness: Array) -> None:
+    """Write what a lane's balls ask of their ring, in SI: reaction (5,), stiffness (5, 5)."""
+    arm = w[layout.ARM * _LANES + lane]
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        own = arm_of(i, arm)
+        reaction[i] = own * w[(layout.REACTION + i) * _LANES + lane]
+        for j in range(layout.DEGREES_OF_FREEDOM):
+            row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
+            stiffness[i, j] = own * arm_of(j, arm) * w[row * _LANES + lane]
+
+
+@inline_exact
+def put_reaction(w: Array, lane: int, reaction: Array, matrix: Array) -> None:
+    """Put into a lane what its balls ask of their ring; scaled."""
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        w[(layout.REACTION + i) * _LANES + lane] = reaction[i]
+        for j in range(layout.DEGREES_OF_FREEDOM):
+            row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
+            w[row * _LANES + lane] = matrix[i, j]
+
+
+@inline_exact
 def _read_positions(b: Array, lane: int, x: Array, seats: Order) -> None:
     """Write where the balls of a lane and their mirror images are."""
     for j in range(b.shape[0]):
@@ -426,13 +448,16 @@ def solve_moving(
 
 
 @filling
-def _worst_ball(room: Room, lane: int) -> float:
-    """The residual of a lane's case, where a ball's may be worse than the ring's."""
-    for j in range(room.b.shape[0]):
-        room.errors[j, 0] = room.b[j, layout.ERROR * _LANES + lane]
-        room.errors[j, 1] = room.b[j, layout.SCALE * _LANES + lane]
-    heaviest, worst = room.rings[layout.HEAVIEST, lane], room.rings[layout.UNBALANCED, lane]
-    return worst_ball(room.rings, lane, room.errors, heaviest, worst)
+def worst_in_lane(rings: Array, b: Array, errors: Array, lane: int) -> float:
+    """The residual of a lane's case, where a ball's may be worse than the ring's.
+
+    rings (layout.RING_ROWS, LANES): of its row; errors (balls, 2): room for those of its balls.
+    """
+    for j in range(b.shape[0]):
+        errors[j, 0] = b[j, layout.ERROR * _LANES + lane]
+        errors[j, 1] = b[j, layout.SCALE * _LANES + lane]
+    heaviest, worst = rings[layout.HEAVIEST, lane], rings[layout.UNBALANCED, lane]
+    return worst_ball(rings, lane, errors, heaviest, worst)
 
 
 @filling
@@ -483,12 +508,6 @@ def judge_blocks(
                 continue
             residual[case] = w[layout.UNBALANCED * _LANES + lane]
             if w[layout.DOUBTFUL * _LANES + lane] > 0.0:
-                residual[case] = _worst_ball(room, lane)
+                residual[case] = worst_in_lane(room.rings, b, room.errors, lane)
             accepted[block + lane] = residual[case] <= status.TOLERANCE
-            arm = w[layout.ARM * _LANES + lane]
-            for i in range(layout.DEGREES_OF_FREEDOM):
-                own = arm_of(i, arm)
-                reaction[case, i] = own * w[(layout.REACTION + i) * _LANES + lane]
-                for j in range(layout.DEGREES_OF_FREEDOM):
-                    row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
-                    stiffness[case, i, j] = own * arm_of(j, arm) * w[row * _LANES + lane]
+            read_reaction(w, lane, reaction[case], stiffness[case])

@@ -259,13 +259,19 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, (k11, k12, k21, k22, k11, k12))
 
     @vector_loop
-    def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
-        """A ball in motion: its residual, its step, and the ring's view of it."""
+    def add_moving_ball(w: Array, b: Array, tolerance: float, loosely: float) -> None:
+        """A ball in motion: its residual, its step, and the ring's view of it.
+
+        tolerance: of its residual, over its own greatest load; loosely: the same over the load of
+        its inner contact, the square of which its step leaves.
+        """
         for i in range(N):
             a1, a2 = _groove_fast(w, b, i)
-            residual, follow, force, stiffness, scale, _, drive, _ = _linearised(w, b, i, a1, a2)
+            residual, follow, force, stiffness, scale, touch, drive, _ = _linearised(
+                w, b, i, a1, a2
+            )
             r1, r2 = residual
-            allowed = tolerance * scale
+            allowed = max(tolerance * scale, loosely * touch[0])
             w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
             q1, q2, w11, w12, w21, w22, z1, z2 = follow
             b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
@@ -302,6 +308,13 @@ def reflect(w: Array, factors: Array) -> None:
     for row in range(_SUMS):
         for i in range(N):
             w[_FX + row * N + i] *= factors[row]
+
+
+@vector_loop
+def multiply_reaction(w: Array, factor: float) -> None:
+    """Let each ball that was summed up stand for some: force and stiffness of the ring."""
+    for i in range(_FX, _BY_CAGE[0]):
+        w[i] *= factor
 
 
 @filling
@@ -851,11 +864,11 @@ def _steps(tilting: bool) -> tuple[Any, Any]:
         """
         reset_sums(w)
         for j in range(mirror.pairs):
-            add_moving_ball(w, b[j], tolerance)
+            add_moving_ball(w, b[j], tolerance, 0.0)
         if mirror.pairs > 0:
             reflect(w, mirror.factors)
         for j in range(mirror.pairs, b.shape[0]):
-            add_moving_ball(w, b[j], tolerance)
+            add_moving_ball(w, b[j], tolerance, 0.0)
         measure_ring(w)
         measure_cage(w)
         condense_cage(w)

@@ -17,8 +17,14 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import Columns, Floats
 from rolamento.rows.ball.types import Array, Order
 
-AXES: Final = {1: (1, 4), 2: (2, 3)}
-"""Planes, and the axes of the ring that their mirror images turn round: x-z turns y and rz."""
+AXES: Final = {1: (1, 4), 2: (2, 3), 3: (1, 4), 4: (2, 3)}
+"""Planes, and the axes of the ring that their mirror images turn round: x-z turns y and rz.
+
+The first ball is on the z axis in the first two, x-z and x-y, and half a pitch from it in the
+other two, the same planes.
+"""
+_ROUNDING: Final = 4e-16
+"""Of the cosine and sine of an azimuth."""
 
 
 class Mirror(NamedTuple):
@@ -38,15 +44,25 @@ class Mirror(NamedTuple):
 def mirror(balls: int, plane: int) -> Mirror:
     """Half of so many balls and those in the plane; 0 is no plane, and all balls.
 
-    The first ball is at azimuth 0, on the z axis. An odd number has no mirror image in x-y.
+    An odd number has no mirror image in x-y.
     """
     own = np.arange(balls)
     if plane == 0:
         return Mirror(np.stack([own, own], axis=1), 0, np.ones(layout.SUMS))
-    image = (-own if plane == 1 else balls // 2 - own) % balls
+    image = ((0 if _turns_y(plane) else balls // 2) - int(_is_between(plane)) - own) % balls
     seats = np.stack([own, image], axis=1)
     paired, alone = seats[own < image], seats[own == image]
     return Mirror(np.concatenate([paired, alone]), len(paired), _factors(plane))
+
+
+def _turns_y(plane: int) -> bool:
+    """Whether it is x-z."""
+    return AXES[plane][0] == 1
+
+
+def _is_between(plane: int) -> bool:
+    """Whether the first ball is half a pitch from the z axis."""
+    return plane > 2
 
 
 def _factors(plane: int) -> Floats:
@@ -65,12 +81,14 @@ def planes(p: Columns, control: Floats) -> NDArray[np.int8]:
     balls = control.shape[1]
     found = np.zeros(p.cases, np.int8)
     for plane, (shift, tilt) in AXES.items():
-        if plane == 2 and balls % 2:
+        if not _turns_y(plane) and balls % 2:
             continue
+        first = np.pi / balls if _is_between(plane) else 0.0
         own, image = mirror(balls, plane).seats.T
         alike = (control[:, own] == control[:, image]).all(axis=1) & (found == 0)
         for row in (layout.APPLIED, layout.IMPOSED):
             alike &= (p[row + shift] == 0.0) & (p[row + tilt] == 0.0)
-        alike &= (p[layout.SIN_FIRST] == 0.0) & (p[layout.COS_FIRST] == 1.0)
+        alike &= np.abs(p[layout.SIN_FIRST] - np.sin(first)) <= _ROUNDING
+        alike &= np.abs(p[layout.COS_FIRST] - np.cos(first)) <= _ROUNDING
         found[alike] = plane
     return found

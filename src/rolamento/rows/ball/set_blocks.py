@@ -14,26 +14,36 @@ from numpy.typing import NDArray
 
 from rolamento.numerics.compiled import filling, filling_kernel, inline_exact
 from rolamento.rows.ball import lanes, layout, set_lanes
-from rolamento.rows.ball.accept import is_finite, judge, max_with_nan
+from rolamento.rows.ball.accept import is_finite, judge
 from rolamento.rows.ball.blocks import (
     begin_lane,
     put_ball,
     put_displacement,
     put_numbers,
     put_position,
+    put_reaction,
     read_position,
+    read_reaction,
+    worst_in_lane,
 )
 from rolamento.rows.ball.mirror import Mirror, mirror
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
-from rolamento.rows.ball.single import FAR, OneCase, Ring, read_ring, ring_around
+from rolamento.rows.ball.single import FAR, OneCase, Ring, ring_around
 from rolamento.rows.ball.types import Array
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADED
 from rolamento.status import TOLERANCE as TOLERANCE_OF_ROWS
 
 STATIC_STEPS: Final = 16
+START_STEPS: Final = 6  # of a static start for moving balls
 MOVING_STEPS: Final = 30
-START_TOLERANCE: Final = 0.2  # of a static start for moving balls
+START_TOLERANCE: Final = 0.05  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
+BALANCED: Final = 1e-6
+"""The same of a ring and its cages beside moving balls, whose steps decide."""
+PLACED: Final = 5e-6
+"""The same of a ball, over the load of its inner contact."""
+SPRINGS: Final = 9
+"""As many balls, evenly spread, stand for those of a row where a static start is looked for."""
 PRECISION: Final = 1e-10
 """Precision of the ring's exact balance, as `rolamento.system.ring` asks for it."""
 
@@ -49,7 +59,8 @@ class Rows(NamedTuple):
 
     duty (rows, layout.DUTY, n), bearing (rows, the rest of layout.COLUMN or more, n or 1): their
     parameters; stand (rows, STANDING, n): how each stands on the ring; control (n or 1, balls of
-    all rows), cosines and sines (balls); ends (rows + 1): where the balls of a row begin.
+    all rows), cosines and sines (balls); ends (rows + 1): where the balls of a row begin;
+    directions (2, springs), spring_ends (rows + 1): of the few that stand for them at the start.
     """
 
     duty: Array
@@ -59,13 +70,15 @@ class Rows(NamedTuple):
     cosines: Array
     sines: Array
     ends: NDArray[np.int64]
+    directions: Array
+    spring_ends: NDArray[np.int64]
 
 
 class BalanceRequest(NamedTuple):
-    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled.
+    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled by their arm.
 
     reach: of the longest step of a ring without inertia; firm: a stiffness that is small against
-    any real one, so that a ring that touches nothing moves with its load; (n,).
+    any real one, so that a ring that touches nothing moves with its load; arm: of a tilt; (n,).
     """
 
     free: Array
@@ -73,12 +86,13 @@ class BalanceRequest(NamedTuple):
     start: Array
     reach: Array
     firm: Array
+    arm: Array
 
 
 class Balance(NamedTuple):
     """What the kernel writes, over all cases.
 
-    Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), scaled;
+    Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), in SI;
     residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
     (cases, balls, 2).
     Of the rows: displacement, scaled, reaction (rows, cases, 5), cage, row_residual, code (rows,
@@ -103,22 +117,24 @@ class Balance(NamedTuple):
 class Work(NamedTuple):
     """What the kernel works with; it makes no arrays of its own.
 
-    In lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b);
-    holds: the case in each lane, and its steps. Of one row of one case: column, its parameters
-    (parameters, 1); own, where it is held (5,); transform, its T (5, 6); the sums over its balls,
-    and their errors (balls, 2). Of the judge in lanes: mirror, none; contacts (6 * lanes), their
-    stiffness; accepted (rows, lanes).
+    In lanes: s of the rings, and of each row how it stands (v), its own (w, and the same as rings,
+    (rows, layout.RING_ROWS, lanes)); of each ball (b), and of each that stands for some at the
+    start (springs); holds: the case in each lane, and its steps. Of one row of one case: column,
+    its parameters (parameters, 1); own, where it is held (5,); the sums over its balls, and their
+    errors (balls, 2). Of the judge in lanes: mirror, none; contacts (6 * lanes), their stiffness;
+    accepted (rows, lanes).
     """
 
     s: Array
     v: Array
     w: Array
+    rings: Array
     b: Array
+    springs: Array
     holds: NDArray[np.int64]
     steps: NDArray[np.int64]
     column: Array
     own: Array
-    transform: Array
     ring: Ring
     errors: Array
     mirror: Mirror
@@ -126,19 +142,20 @@ class Work(NamedTuple):
     accepted: NDArray[np.bool_]
 
     @classmethod
-    def of(cls, rows: int, balls: int, parameters: int) -> Work:
-        """Make room for rows of so many balls in all, and of so many parameters each."""
-        five = layout.DEGREES_OF_FREEDOM
+    def of(cls, rows: int, balls: int, springs: int, parameters: int) -> Work:
+        """Make room for rows of so many balls and springs in all, of so many parameters each."""
+        w = np.zeros((rows, layout.RING_ROWS * _LANES))
         return cls(
             s=np.zeros(set_lanes.SET_ROWS * _LANES),
             v=np.zeros((rows, STAND_ROWS * _LANES)),
-            w=np.zeros((rows, layout.RING_ROWS * _LANES)),
+            w=w,
+            rings=w.reshape(rows, layout.RING_ROWS, _LANES),
             b=np.zeros((balls, layout.BALL_ROWS * _LANES)),
+            springs=np.zeros((springs, layout.BALL_ROWS * _LANES)),
             holds=np.zeros(_LANES, np.int64),
             steps=np.zeros(_LANES, np.int64),
             column=np.zeros((parameters, 1)),
-            own=np.zeros(five),
-            transform=np.zeros((five, UNKNOWNS)),
+            own=np.zeros(layout.DEGREES_OF_FREEDOM),
             ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
@@ -166,6 +183,9 @@ def _put_balls(work: Work, lane: int, rows: Rows, row: int, k: int) -> None:
     for j in range(rows.ends[row], rows.ends[row + 1]):
         sigma = rows.control[sigmas, j]
         put_ball(work.w[row], work.b[j], lane, rows.cosines[j], rows.sines[j], sigma)
+    for j in range(rows.spring_ends[row], rows.spring_ends[row + 1]):
+        cosine, sine = rows.directions[0, j], rows.directions[1, j]
+        put_ball(work.w[row], work.springs[j], lane, cosine, sine, 1.0)
 
 
 @inline_exact
@@ -271,11 +291,13 @@ def _settle_static(
 ) -> None:
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
-    Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
-    settle; its place is the start then. Balls in motion are put near theirs.
+    Writes the places, and the steps: zero where a lane failed; its place is the start then. Balls
+    in motion are put near theirs, from wherever the ring is after a few steps.
     """
     s, v, w, b = work.s, work.v, work.w, work.b
     tolerance = START_TOLERANCE if moving else TOLERANCE
+    last = START_STEPS if moving else STATIC_STEPS
+    springs, ends = (work.springs, rows.spring_ends) if moving else (b, rows.ends)
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
         _fill_all(work, rows, block, count)
@@ -285,12 +307,14 @@ def _settle_static(
             _put_ring(work, lane, asked, k, True)
             _put_place(work, lane, rows, k, asked.start[k])
         open_lanes = count
-        for step in range(STATIC_STEPS):
+        for step in range(last):
             set_lanes.empty_set(s)
             for row in range(w.shape[0]):
                 lanes.reset_sums(w[row])
-                for j in range(rows.ends[row], rows.ends[row + 1]):
-                    lanes.add_static_ball(w[row], b[j])
+                for j in range(ends[row], ends[row + 1]):
+                    lanes.add_static_ball(w[row], springs[j])
+                balls = rows.ends[row + 1] - rows.ends[row]
+                lanes.multiply_reaction(w[row], balls / (ends[row + 1] - ends[row]))
                 set_lanes.add_row(s, v[row], w[row])
             set_lanes.measure_set(s)
             for row in range(w.shape[0]):
@@ -302,9 +326,9 @@ def _settle_static(
             for lane in range(count):
                 case = chosen[block + lane]
                 near = s[set_lanes.UNBALANCED * _LANES + lane] <= tolerance
-                if found.steps[case] == 0 and (near or step + 1 == STATIC_STEPS):
+                if found.steps[case] == 0 and (near or step + 1 == last):
                     # a place that does not depend on how long its neighbours take
-                    found.steps[case] = step + 1 if near or not moving else 0
+                    found.steps[case] = step + 1
                     _read_place(s, lane, found.place[case])
                     open_lanes -= 1
             if open_lanes == 0:
@@ -363,14 +387,14 @@ def _settle_moving(
         for row in range(w.shape[0]):
             lanes.reset_sums(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
-                lanes.add_moving_ball(w[row], b[j], TOLERANCE)
+                lanes.add_moving_ball(w[row], b[j], TOLERANCE, PLACED)
             lanes.measure_cage(w[row])
             lanes.condense_cage(w[row])
             set_lanes.add_row(s, v[row], w[row])
         set_lanes.measure_set(s)
         for row in range(w.shape[0]):
-            set_lanes.measure_row(s, w[row], TOLERANCE)
-        set_lanes.end_measure(s, TOLERANCE)
+            set_lanes.measure_row(s, w[row], BALANCED)
+        set_lanes.end_measure(s, BALANCED)
         set_lanes.step_set(s)
         for row in range(w.shape[0]):
             set_lanes.tell_row(s, w[row])
@@ -399,27 +423,6 @@ def _settle_moving(
 
 
 @filling
-def _add_row(
-    stand: Array, row: int, k: int, own: Ring, t: Array, force: Array, stiffness: Array
-) -> None:
-    """Add what a row asks of the ring: T' f and T' k T; t: room for T, of zeros but for these."""
-    n = layout.DEGREES_OF_FREEDOM
-    t[0, 0], t[0, 5] = stand[row, WAY, k], stand[row, SLIDE, k]
-    t[1, 1], t[1, 4] = 1.0, stand[row, _LEVER, k]
-    t[2, 2], t[2, 3] = 1.0, -stand[row, _LEVER, k]
-    t[3, 3] = t[4, 4] = stand[row, TILT, k]
-    for i in range(n):
-        for column in range(UNKNOWNS):
-            if t[i, column] == 0.0:
-                continue
-            force[column] += t[i, column] * own.reaction[i]
-            for j in range(n):
-                part = t[i, column] * own.matrix[i, j]
-                for other in range(UNKNOWNS):
-                    stiffness[column, other] += part * t[j, other]
-
-
-@filling
 def _judge_in_lanes(
     work: Work, rows: Rows, block: int, chosen: NDArray[np.int64], found: Balance
 ) -> None:
@@ -429,16 +432,12 @@ def _judge_in_lanes(
     left to that one.
     """
     count = min(_LANES, chosen.size - block)
-    _fill_all(work, rows, block, count)
     for row in range(rows.duty.shape[0]):
         a, z = rows.ends[row], rows.ends[row + 1]
         w, b, bearing = work.w[row], work.b[a:z], rows.bearing[row]
         for lane in range(count):
-            k = block + lane
-            case = chosen[k]
-            own = found.displacement[row, case]
-            _standing(rows.stand, row, k, found.place[case], own)
-            put_displacement(w, lane, own)
+            case = chosen[block + lane]
+            put_displacement(w, lane, found.displacement[row, case])
             w[layout.CAGE * _LANES + lane] = found.cage[row, case]
             for j in range(z - a):
                 put_position(b[j], lane, found.position[case], a + j)
@@ -451,24 +450,45 @@ def _judge_in_lanes(
             lanes.weigh_ball(w, b[j])
         for lane in range(count):
             case = chosen[block + lane]
-            doubt = w[layout.UNSOUND * _LANES + lane] + w[layout.DOUBTFUL * _LANES + lane]
-            doubt += w[layout.REGROUPED * _LANES + lane]
+            doubt = w[layout.UNSOUND * _LANES + lane] + w[layout.REGROUPED * _LANES + lane]
             # of bearings that differ the lanes have seven coefficients of K
             few = w[layout.TERMS * _LANES + lane] <= layout.COEFFICIENTS
             good = doubt == 0.0 and is_finite(found.displacement[row, case])
             good = good and (few or bearing.shape[1] == 1)
-            good = good and w[layout.UNBALANCED * _LANES + lane] <= TOLERANCE_OF_ROWS
+            residual = w[layout.UNBALANCED * _LANES + lane]
+            if good and w[layout.DOUBTFUL * _LANES + lane] > 0.0:
+                residual = worst_in_lane(work.rings[row], b, work.errors[: z - a], lane)
+            good = good and residual <= TOLERANCE_OF_ROWS
             work.accepted[row, lane] = good
+            found.code[row, case] = CONVERGED if good else NOT_CONVERGED
+            found.row_residual[row, case] = residual
 
 
 @filling
-def _taken_from_lane(w: Array, lane: int, ring: Ring) -> None:
-    """Take what a row's balls ask of its ring from its lane."""
-    n = layout.DEGREES_OF_FREEDOM
-    for i in range(n):
-        ring.reaction[i] = w[(layout.REACTION + i) * _LANES + lane]
-        for j in range(n):
-            ring.matrix[i, j] = w[(layout.MATRIX + n * i + j) * _LANES + lane]
+def _judge_row(
+    work: Work, rows: Rows, row: int, k: int, case: int, moving: bool, lane: int, found: Balance
+) -> None:
+    """Judge one row by itself; its sums go into its lane."""
+    column, ring, a, z = work.column, work.ring, rows.ends[row], rows.ends[row + 1]
+    own = k if rows.bearing.shape[2] > 1 else 0
+    control = rows.control[k if rows.control.shape[0] > 1 else 0]
+    for i in range(layout.DUTY):
+        column[i, 0] = rows.duty[row, i, k]
+    for i in range(rows.bearing.shape[1]):
+        column[layout.DUTY + i, 0] = rows.bearing[row, i, own]
+    one = OneCase(
+        column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z],
+        found.displacement[row, case], found.position[case, a:z], ring, work.errors[: z - a],
+    )  # fmt: skip
+    code, residual, _ = judge(one, found.cage[row, case])
+    found.code[row, case], found.row_residual[row, case] = code, residual
+    put_reaction(work.w[row], lane, ring.reaction, ring.matrix)
+
+
+@inline_exact
+def _arm_of(unknown: int, arm: float) -> float:
+    """What turns a scaled load of the ring into N or N·m; its last unknown is a slide."""
+    return arm if layout.SHIFTS <= unknown < layout.DEGREES_OF_FREEDOM else 1.0
 
 
 @filling
@@ -476,54 +496,58 @@ def _judge(
     work: Work,
     rows: Rows,
     asked: BalanceRequest,
-    k: int,
-    case: int,
+    block: int,
+    chosen: NDArray[np.int64],
     moving: bool,
-    lane: int,
     found: Balance,
 ) -> None:
-    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic.
+    """Hold the rows of as many cases as there are lanes where the proposal has them, and measure.
 
-    lane: in which its rows have been judged, those with inertia.
+    Rows in exact arithmetic; what they ask of their ring is put together in lanes.
     """
-    ring, column = work.ring, work.column
-    force, stiffness = found.force[case], found.stiffness[case]
-    force[:] = 0.0
-    stiffness[:] = 0.0
-    control = rows.control[k if rows.control.shape[0] > 1 else 0]
-    own = k if rows.bearing.shape[2] > 1 else 0
-    scale, sound = 0.0, True
-    for row in range(rows.duty.shape[0]):
-        a, z = rows.ends[row], rows.ends[row + 1]
-        u = found.displacement[row, case]
-        if moving and work.accepted[row, lane]:
-            _taken_from_lane(work.w[row], lane, ring)
-            code, residual = CONVERGED, work.w[row, layout.UNBALANCED * _LANES + lane]
-        else:
-            _standing(rows.stand, row, k, found.place[case], u)
-            for i in range(layout.DUTY):
-                column[i, 0] = rows.duty[row, i, k]
-            for i in range(rows.bearing.shape[1]):
-                column[layout.DUTY + i, 0] = rows.bearing[row, i, own]
-            one = OneCase(
-                column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
-                found.position[case, a:z], ring, work.errors[: z - a],
-            )  # fmt: skip
-            code, residual, _ = judge(one, found.cage[row, case])
-        found.code[row, case], found.row_residual[row, case] = code, residual
-        sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-        reaction, row_stiffness = found.reaction[row, case], found.row_stiffness[row, case]
-        read_ring(ring, rows.bearing[row, layout.ARM - layout.DUTY, own], reaction, row_stiffness)
-        for i in range(layout.DEGREES_OF_FREEDOM):
-            scale = max_with_nan(scale, abs(ring.reaction[i]))
-        _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
-    worst = 0.0
-    for i in range(UNKNOWNS):
-        if asked.free[k, i] > 0.0:
-            worst = max_with_nan(worst, abs(asked.target[k, i] - force[i]))
-            scale = max(scale, abs(asked.target[k, i]))
-    found.residual[case] = worst / scale if scale > 0.0 else worst
-    found.sound[case] = sound and found.residual[case] <= PRECISION
+    s, v, w = work.s, work.v, work.w
+    count = min(_LANES, chosen.size - block)
+    _fill_all(work, rows, block, count)
+    for lane in range(count):
+        case = chosen[block + lane]
+        _put_ring(work, lane, asked, block + lane, False)
+        for row in range(w.shape[0]):
+            own = found.displacement[row, case]
+            _standing(rows.stand, row, block + lane, found.place[case], own)
+            work.accepted[row, lane] = False
+            found.code[row, case] = NOT_CONVERGED
+    if moving:
+        _judge_in_lanes(work, rows, block, chosen, found)
+    for lane in range(count):
+        case = chosen[block + lane]
+        for row in range(w.shape[0]):
+            if found.steps[case] > 0 and not work.accepted[row, lane]:
+                _judge_row(work, rows, row, block + lane, case, moving, lane, found)
+    set_lanes.empty_set(s)
+    for row in range(w.shape[0]):
+        set_lanes.add_row(s, v[row], w[row])
+    set_lanes.measure_set(s)
+    for row in range(w.shape[0]):
+        set_lanes.measure_row(s, w[row], PRECISION)
+    set_lanes.end_measure(s, PRECISION)
+    for lane in range(count):
+        case = chosen[block + lane]
+        sound = found.steps[case] > 0
+        for row in range(w.shape[0]):
+            code = found.code[row, case]
+            sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
+            read_reaction(w[row], lane, found.reaction[row, case], found.row_stiffness[row, case])
+        arm, place = asked.arm[block + lane], found.place[case]
+        force, stiffness = found.force[case], found.stiffness[case]
+        for i in range(UNKNOWNS):
+            own = _arm_of(i, arm)
+            place[i] /= own
+            force[i] = own * s[(set_lanes.FORCE + i) * _LANES + lane]
+            for j in range(UNKNOWNS):
+                entry = s[(set_lanes.MATRIX + UNKNOWNS * i + j) * _LANES + lane]
+                stiffness[i, j] = own * _arm_of(j, arm) * entry
+        found.residual[case] = s[set_lanes.UNBALANCED * _LANES + lane]
+        found.sound[case] = sound and found.residual[case] <= PRECISION
 
 
 @filling_kernel
@@ -543,12 +567,5 @@ def solve_sets(
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
-    for k in range(chosen.size):
-        case, lane = chosen[k], k % _LANES
-        if moving and lane == 0:
-            _judge_in_lanes(work, rows, k, chosen, found)
-        found.sound[case] = False
-        for row in range(rows.duty.shape[0]):
-            found.code[row, case] = NOT_CONVERGED
-        if found.steps[case] > 0:
-            _judge(work, rows, asked, k, case, moving, lane, found)
+    for block in range(0, chosen.size, _LANES):
+        _judge(work, rows, asked, block, chosen, moving, found)

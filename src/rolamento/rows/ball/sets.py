@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from rolamento.rows.ball.row import BallRow
 from rolamento.rows.ball.run import BallResponse, has_inertia
 from rolamento.rows.ball.set_blocks import (
     PRESS,
+    SPRINGS,
     STANDING,
     Balance,
     BalanceRequest,
@@ -30,7 +31,7 @@ from rolamento.rows.row import Indices, IntArray, OnRing, Proposal
 
 __all__ = ["settle", "standing"]
 
-CHUNK: Final = 1000
+CHUNK: Final = 1500
 """Cases of a call: their numbers lie together, no power of two apart."""
 SMALL_STIFFNESS: Final = 1e-6
 """Fraction of the stiffness under load: what a ring that touches nothing is held by on its way."""
@@ -75,6 +76,7 @@ def _bounded(
     free: FloatArray,
     target: FloatArray,
     start: FloatArray,
+    arm: FloatArray,
 ) -> BalanceRequest:
     """Say how far a ring may go at a time: through its play, and somewhat into its balls."""
     balls = [row.element_count for row in rows]
@@ -90,7 +92,7 @@ def _bounded(
         axial = np.sqrt(square) - p[layout.AXIAL_OFFSET]
         play = np.maximum(play, np.abs(axial) + np.abs(own[PRESS]))
     firm = SMALL_STIFFNESS * stiffness * np.sqrt(into)
-    return BalanceRequest(free, target, start, 3.0 * into + play, firm)
+    return BalanceRequest(free, target, start, 3.0 * into + play, firm, arm)
 
 
 def _control_of(rows: Sequence[BallRow], which: Indices) -> FloatArray:
@@ -117,7 +119,7 @@ class _Run:
         every = len(which) == rows[0].cases
         columns = [row.p if every else row.p.of(which) for row in rows]
         control, stand = _control_of(rows, which), standing(ring)
-        asked = ring.free.astype(np.float64), ring.target, ring.start
+        asked = ring.free.astype(np.float64), ring.target, ring.start, ring.arms[0]
         count, n = len(rows), len(which)
         balls = sum(row.element_count for row in rows)
         five = layout.DEGREES_OF_FREEDOM
@@ -144,26 +146,35 @@ class _Run:
 
     def solve(self, chosen: IntArray, *, moving: bool) -> None:
         """Solve some of the cases, in threads, chunks of them at a time."""
-        pairs = [directions(row.element_count) for row in self.rows]
-        cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
+        counts = [row.element_count for row in self.rows]
+        few = [min(count, SPRINGS) for count in counts]
+        cosines, sines = np.concatenate([directions(count) for count in counts], axis=1)
+        springs = np.concatenate([directions(count) for count in few], axis=1)
         longest = max(len(p.bearing) for p in self.columns)
         alike = all(p.bearing.shape[1] == 1 for p in self.columns)
 
         kernel = ready(solve_sets)
 
-        def run(some: IntArray) -> None:
+        def run(chosen: IntArray) -> None:
+            first, last = int(chosen[0]), int(chosen[-1]) + 1
+            # cases in a row are looked at, not copied
+            some: Any = slice(first, last) if last - first == len(chosen) else chosen
             duty = np.stack([p.duty[:, some] for p in self.columns])
-            bearing = np.zeros((len(self.rows), longest, 1 if alike else len(some)))
+            bearing = np.zeros((len(self.rows), longest, 1 if alike else len(chosen)))
             for own, columns in zip(bearing, self.columns, strict=True):
                 part = columns.bearing
                 own[: len(part)] = part if part.shape[1] == 1 else part[:, some]
             control = self.control if len(self.control) == 1 else self.control[some]
             # one order in memory: the kernels are compiled for each that they meet
-            stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
-            rows = Rows(duty, bearing, stand, control, cosines, sines, self._ends)
+            parts = duty, self.stand[:, :, some], control
+            duty, stand, control = map(np.ascontiguousarray, parts)
+            rows = Rows(
+                duty, bearing, stand, control, cosines, sines, self._ends, springs,
+                np.cumsum([0, *few]),
+            )  # fmt: skip
             asked = BalanceRequest(*(np.ascontiguousarray(one[some]) for one in self.asked))
-            work = Work.of(len(self.rows), len(cosines), layout.DUTY + longest)
-            kernel(rows, asked, moving, some, work, self.found)
+            work = Work.of(len(self.rows), len(cosines), sum(few), layout.DUTY + longest)
+            kernel(rows, asked, moving, chosen, work, self.found)
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
         side_by_side(run, chunks, self.rows[0].threads)

@@ -159,8 +159,10 @@ class SphereRow:
         spheres = [row for row in rows if isinstance(row, SphereRow)]
         if len(spheres) < len(rows):
             return None
-        arm = ring.arms[0][:, np.newaxis]
-        tilt, shifts = ring.start[:, 3:5] / arm, np.arange(ring.free.shape[1]) < 3
+        tilt, shifts = (
+            ring.start[:, 3:5] / ring.arms[0][:, np.newaxis],
+            np.arange(ring.free.shape[1]) < 3,
+        )
         target, start = np.zeros_like(ring.target), np.zeros_like(ring.start)
         target[:, :3] = from_ring(tilt, ring.target[:, :3])
         start[:, :3] = from_ring(tilt, ring.start[:, :3])
@@ -171,19 +173,14 @@ class SphereRow:
             return None
         place = found.place
         place[:, :3] = from_outside(tilt, place[:, :3])
-        place[:, 3:5] = ring.start[:, 3:5]
+        place[:, 3:5] = tilt
         force, stiffness = np.zeros_like(found.force), np.zeros_like(found.stiffness)
-        answers, scaled = [], np.ones((len(place), 5))
-        scaled[:, 3:] = 1.0 / arm
+        answers = []
         for row, held, way in zip(spheres, found.rows, ring.ways, strict=True):
             faced = np.array((way, 1.0, 1.0, way, way))
-            own = np.concatenate([place[:, :3], tilt], axis=1) * faced
-            answers.append(row.turned(cast(BallResponse, held), own))
-            back = faced * scaled
-            force[:, :5] += back * answers[-1].force
-            stiffness[:, :5, :5] += (
-                back[:, :, np.newaxis] * answers[-1].stiffness * back[:, np.newaxis, :]
-            )
+            answers.append(row.turned(cast(BallResponse, held), place[:, :5] * faced))
+            force[:, :5] += faced * answers[-1].force
+            stiffness[:, :5, :5] += faced[:, np.newaxis] * answers[-1].stiffness * faced
         return replace(found, force=force, stiffness=stiffness, rows=answers)
 
     def turned(self, balls: BallResponse, place: FloatArray) -> SphereResponse:
