@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import io
 import json
 import os
@@ -793,6 +794,29 @@ def test_the_help_of_a_command_imports_no_engine(name: str) -> None:
 def test_the_list_says_of_a_command_what_its_own_help_begins_with(name: str) -> None:
     command = PROGRAM.commands[name]
     assert paragraphs(command.help)[0] == PROGRAM.line_of(name)
+
+
+def test_a_process_looks_for_no_plugins_of_pydantic() -> None:
+    code = (
+        "import sys; from rolamento.cli import main\n"
+        "sys.argv = ['rolamento', 'solve', '6310', '--fr', '5 kN']\n"
+        "try: main()\n"
+        "finally: print('email' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.endswith("False\n")
+
+
+def test_a_pydantic_that_asks_for_more_than_plugins_gets_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    import rolamento.cli as process
+
+    known = importlib.import_module(process._PLUGINS)
+    monkeypatch.setitem(sys.modules, process._PLUGINS, process._NoPlugins(process._PLUGINS))
+    stand_in: Any = importlib.import_module(process._PLUGINS)
+    assert stand_in.get_plugins() == ()
+    assert stand_in.PYDANTIC_ENTRY_POINT_GROUP == known.PYDANTIC_ENTRY_POINT_GROUP == "pydantic"
 
 
 def test_numpy_is_imported_before_what_slows_its_annotations() -> None:
