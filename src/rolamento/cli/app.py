@@ -177,14 +177,6 @@ class Program(GroupedCommands):
         super().__init__(**given)
         self.commands = _Commands()  # type: ignore[assignment]  # of which nobody takes one away
 
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Parse the arguments before the command; its module is imported first.
-
-        NumPy then comes before ``typing_extensions`` of pydantic, which makes typing slow.
-        """
-        self.get_command(ctx, next(filter(self.commands.__contains__, args), ""))
-        return super().parse_args(ctx, args)
-
     def line_of(self, name: str) -> str:
         """Return what a command does, in one line; its module is not imported for it."""
         return said(_LINES[name])
@@ -204,6 +196,10 @@ app = typer.Typer(
 
 def run() -> None:
     """Run the command that the process was called with, and end the process."""
+    if not _REQUESTS.keys().isdisjoint(sys.argv):
+        # Here the stack is low. Within Typer, NumPy makes its annotations where a piece of the stack
+        # ends, and each call beyond takes memory from the system and gives it back: 600 times.
+        import rolamento.cli.requested  # noqa: F401
     try:
         app(prog_name="rolamento")
     except SystemExit as end:
