@@ -197,8 +197,8 @@ app = typer.Typer(
 def run() -> None:
     """Run the command that the process was called with, and end the process."""
     if not _REQUESTS.keys().isdisjoint(sys.argv):
-        # Here the stack is low. Within Typer, NumPy makes its annotations where a piece of the stack
-        # ends, and each call beyond takes memory from the system and gives it back: 600 times.
+        # Here the stack is low. Within Typer, NumPy makes its annotations where a piece of it ends,
+        # and each call beyond takes memory from the system and gives it back: 600 times.
         import rolamento.cli.requested  # noqa: F401
     try:
         app(prog_name="rolamento")
