@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
@@ -343,10 +344,11 @@ def to_si(text: str, dimension: Dimension) -> float:
         )
     number, unit_text = _split(text, dimension)
     unit = _COMMON[dimension].get(unit_text) or _spelled_unit(unit_text, dimension)
-    try:
-        return float(_exact(number) * unit.scale + unit.offset)
-    except OverflowError:
-        raise UnitError(said("is beyond the range of floating-point numbers"), value=text) from None
+    exponent = int(number.lower().partition("e")[2] or 0)
+    with suppress(OverflowError):
+        if abs(exponent) <= _GREATEST_EXPONENT:  # a greater one would fill the memory
+            return float(Fraction(number) * unit.scale + unit.offset)
+    raise UnitError(said("is beyond the range of floating-point numbers"), value=text)
 
 
 def from_si(value: float, dimension: Dimension) -> str:
@@ -406,8 +408,6 @@ def _familiar_unit(value: float, dimension: Dimension) -> str:
         return "kN" if abs(value) >= 1e3 else "N"
     if dimension == "stress":
         return "GPa" if abs(value) >= 1e9 else "MPa"
-    if dimension == "density":
-        return "kg/m^3"
     return next(iter(_COMMON[dimension]))
 
 
@@ -421,10 +421,8 @@ def _plain(decimal: Decimal) -> str:
 
 def _split(text: str, dimension: Dimension) -> tuple[str, str]:
     """Return the number and the unit of a text, or explain what is wrong with it."""
-    stripped = text.strip()
-    if stripped.startswith("−"):
-        stripped = "-" + stripped[1:]
-    match = _QUANTITY.fullmatch(typed(stripped))
+    stripped = re.sub("^−", "-", text.strip())
+    match = _QUANTITY.fullmatch(typed(stripped) if "," in stripped else stripped)
     if match is None:
         raise UnitError(
             said(
@@ -492,14 +490,6 @@ def doubt_of_thousands(number: str) -> str:
         decimal=float(number),
         whole=int(number.replace(".", "")),
     )
-
-
-def _exact(number: str) -> Fraction:
-    """Return a decimal number as a fraction, refusing exponents that would fill the memory."""
-    _, _, exponent = number.lower().partition("e")
-    if exponent and abs(int(exponent)) > _GREATEST_EXPONENT:
-        raise OverflowError
-    return Fraction(number)
 
 
 @lru_cache(maxsize=1024)

@@ -80,8 +80,8 @@ def insert_of(text: str) -> Insert | None:
             meanings.append((parts.housing, designation_data()["insert_housings"][parts.housing]))
         if found["sixteenths"]:
             meanings.append((f"-{found['sixteenths']}", designation_data()["phrases"]["inches"]))
-        tapered = "tapered" in parts.meaning
-        return Insert(number, "C4" if tapered else "C3", tuple(meanings), found["rest"] or "")
+        supplied = designation_data()["insert_classes"].get(parts.insert, "C3")
+        return Insert(number, supplied, tuple(meanings), found["rest"] or "")
     found = re.fullmatch(_UNIT, plain)
     if found is None or found["letters"] not in designation_data()["insert_units"]["names"]:
         return None

@@ -11,8 +11,8 @@ import os
 import re
 import stat
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sized
-from typing import Any, Final, Literal, NoReturn, TypeVar
+from collections.abc import Iterator, Mapping
+from typing import Any, Final, Literal, NoReturn
 
 from rolamento.errors import FileError, cause, shown
 from rolamento.words import marked, said
@@ -32,7 +32,6 @@ __all__ = [
 ]
 
 TextFormat = Literal["toml", "json"]
-Result = TypeVar("Result")
 
 STANDARD_INPUT: Final = "standard input"
 
@@ -64,10 +63,20 @@ def read_text(path: str | os.PathLike[str]) -> tuple[str, str]:
         If there is no such regular file, it cannot be read, is larger than 1 MB, or
         is not UTF-8 text.
     """
-    source = os.fspath(path)
     content = read_bytes(path, _LARGEST_FILE, marked("a case file"))
-    source = STANDARD_INPUT if source == "-" else source
-    return _decoded(content, source), source
+    source = STANDARD_INPUT if os.fspath(path) == "-" else os.fspath(path)
+    if len(content) > _LARGEST_FILE:
+        raise FileError(said("is larger than 1 MB, more than is read"), source=source)
+    wrong = _ENCODING_MARKS.get(content[:2])
+    if wrong:
+        raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
+    if b"\0" in content:
+        raise FileError(said("is a binary file; a case is TOML or JSON text"), source=source)
+    try:
+        return content.decode("utf-8-sig"), source
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise FileError(said("is not UTF-8 text"), source=source, line=line) from None
 
 
 def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
@@ -87,10 +96,25 @@ def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
     FileError
         If there is no such regular file, or it cannot be read.
     """
-    source = os.fspath(path)
-    if source == "-":
-        return _attempt(lambda: _standard_input(most), STANDARD_INPUT)
-    return _attempt(lambda: _regular_file(source, most, what), source)
+    place = os.fspath(path)
+    source = STANDARD_INPUT if place == "-" else place
+    if place == "-" and sys.stdin is None:
+        raise FileError(said("is closed"), source=source)
+    try:
+        if place == "-":
+            return sys.stdin.buffer.read(most + 1)
+        kind = os.stat(place).st_mode
+        if stat.S_ISREG(kind):
+            with open(place, "rb") as file:
+                return file.read(most + 1)
+    except OSError as error:
+        rule = said("cannot be opened: {reason}", reason=cause(error))
+        raise FileError(rule, source=source) from None
+    except (TypeError, ValueError):
+        raise FileError(said("is not a valid file name"), source=source) from None
+    if stat.S_ISDIR(kind):
+        raise FileError(said("is a directory; give {what}", what=said(what)), source=source)
+    raise FileError(said("is not a regular file; use - for standard input"), source=source)
 
 
 def format_of_path(path: str | os.PathLike[str]) -> TextFormat | None:
@@ -129,13 +153,13 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     parse = _parsed_json if text_format == "json" else _parsed_toml
     try:
         mapping = parse(text)
+        _refuse_shape(mapping)
     except FileError as error:
         raise error.with_details(source=source) from None
     except RecursionError:
         raise FileError(said("is nested too deeply"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
-    _refuse_shape(mapping, source)
     if not isinstance(mapping, dict):
         raise FileError(
             said("must contain a table (an object in JSON)"),
@@ -145,25 +169,19 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     return mapping
 
 
-def _refuse_shape(parsed: object, source: str) -> None:
+def _refuse_shape(parsed: object) -> None:
     """Refuse lists and tables that stand in each other too deep, and tables of too many keys."""
     level = [parsed]
     for _ in range(_DEEPEST):
         inner: list[object] = []
         for one in level:
-            if isinstance(one, dict):
-                _check_keys(one, source)
+            if isinstance(one, dict) and len(one) > _MOST_KEYS:
+                raise FileError(said("has a table of more than {most} keys", most=_MOST_KEYS))
             inner += one.values() if isinstance(one, dict) else one if isinstance(one, list) else ()
         level = [one for one in inner if isinstance(one, dict | list)]
         if not level:
             return
-    raise FileError(said("is nested too deeply"), source=source)
-
-
-def _check_keys(table: Sized, source: str = "") -> None:
-    if len(table) > _MOST_KEYS:
-        rule = said("has a table of more than {most} keys", most=_MOST_KEYS)
-        raise FileError(rule, source=source)
+    raise FileError(said("is nested too deeply"))
 
 
 _REXS: Final = (
@@ -190,50 +208,6 @@ def _refuse_rexs(text: str, source: str) -> None:
     )
 
 
-def _attempt(action: Callable[[], Result], source: str) -> Result:
-    try:
-        return action()
-    except FileError:
-        raise
-    except OSError as error:
-        raise FileError(
-            said("cannot be opened: {reason}", reason=cause(error)), source=source
-        ) from None
-    except (TypeError, ValueError):
-        raise FileError(said("is not a valid file name"), source=source) from None
-
-
-def _regular_file(source: str, most: int, what: str) -> bytes:
-    kind = os.stat(source).st_mode
-    if stat.S_ISDIR(kind):
-        raise FileError(said("is a directory; give {what}", what=said(what)), source=source)
-    if not stat.S_ISREG(kind):
-        raise FileError(said("is not a regular file; use - for standard input"), source=source)
-    with open(source, "rb") as file:
-        return file.read(most + 1)
-
-
-def _standard_input(most: int) -> bytes:
-    if sys.stdin is None:
-        raise FileError(said("is closed"), source=STANDARD_INPUT)
-    return sys.stdin.buffer.read(most + 1)
-
-
-def _decoded(content: bytes, source: str) -> str:
-    if len(content) > _LARGEST_FILE:
-        raise FileError(said("is larger than 1 MB, more than is read"), source=source)
-    wrong = _ENCODING_MARKS.get(content[:2])
-    if wrong:
-        raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
-    if b"\0" in content:
-        raise FileError(said("is a binary file; a case is TOML or JSON text"), source=source)
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise FileError(said("is not UTF-8 text"), source=source, line=line) from None
-
-
 def _parsed_toml(text: str) -> object:
     for number, line in enumerate(text.split("\n"), start=1):
         if line.count(".") > _MOST_DOTS and not line.lstrip().startswith("#"):
@@ -250,7 +224,6 @@ def _parsed_json(text: str) -> object:
 
 
 def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    _check_keys(pairs)
     mapping = dict(pairs)
     if len(mapping) < len(pairs):
         seen: set[str] = set()

@@ -13,7 +13,6 @@ from rolamento.words.manner import (
 )
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
-    calling,
     counted,
     language,
     language_asked,
@@ -24,6 +23,7 @@ from rolamento.words.speaking import (
     said,
     said_in,
     speaking,
+    spelling,
 )
 
 __all__ = [
@@ -33,7 +33,6 @@ __all__ = [
     "Manner",
     "Note",
     "aligned",
-    "calling",
     "counted",
     "decimals_for",
     "in_unit",
@@ -46,6 +45,7 @@ __all__ = [
     "said",
     "said_in",
     "speaking",
+    "spelling",
     "unit_of",
     "worded",
 ]
