@@ -13,7 +13,13 @@ from typer.main import get_group_from_info
 from typer.models import TyperInfo
 
 import rolamento
-from rolamento.cli.common import SOLVED, WRONG_INPUT, LanguageOption, plain_endings
+from rolamento.cli.common import (
+    INTERRUPTED,
+    SOLVED,
+    WRONG_INPUT,
+    LanguageOption,
+    plain_endings,
+)
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.streams import end_of_output, print_text
 from rolamento.words import marked, said
@@ -196,12 +202,14 @@ app = typer.Typer(
 
 def run() -> None:
     """Run the command that the process was called with, and end the process."""
-    if not _REQUESTS.keys().isdisjoint(sys.argv):
-        # Here the stack is low. Within Typer, NumPy makes its annotations where a piece of it ends,
-        # and each call beyond takes memory from the system and gives it back: 600 times.
-        import rolamento.cli.requested  # noqa: F401
     try:
+        if not _REQUESTS.keys().isdisjoint(sys.argv):
+            # Here the stack is low. Within Typer, NumPy makes its annotations where a piece of it
+            # ends, and each call beyond takes memory from the system and gives it back: 600 times.
+            import rolamento.cli.requested  # noqa: F401
         app(prog_name="rolamento")
+    except KeyboardInterrupt:  # before Typer begins, which minds it
+        sys.exit(INTERRUPTED)
     except SystemExit as end:
         if not end.code:  # who mistyped gets one line alone
             _compile_once(sys.argv[1:])
