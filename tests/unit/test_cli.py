@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import io
 import json
 import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable, KeysView
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, ClassVar
@@ -751,15 +752,15 @@ def test_error_messages_in_ascii_too() -> None:
     assert b"Traceback" not in done.stderr
 
 
-def modules_of(*arguments: str) -> KeysView[str]:
-    """What a command has imported at its end, in its order."""
+def modules_of(*arguments: str) -> set[str]:
+    """What a command has imported at its end."""
     code = (
         "import sys; from rolamento.cli.app import app\n"
         f"try: app({list(arguments)!r})\n"
         "except SystemExit: print(*sys.modules, file=sys.stderr)\n"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    return dict.fromkeys(done.stderr.split()).keys()
+    return set(done.stderr.split())
 
 
 HEAVY = {"matplotlib", "numba", "numpy", "pint", "pydantic", "rich", "scipy", "starlette", "xarray"}
@@ -795,9 +796,27 @@ def test_the_list_says_of_a_command_what_its_own_help_begins_with(name: str) -> 
     assert paragraphs(command.help)[0] == PROGRAM.line_of(name)
 
 
-def test_numpy_is_imported_before_what_slows_its_annotations() -> None:
-    loaded = list(modules_of("solve", "6310", "--fr", "5 kN"))
-    assert loaded.index("numpy") < loaded.index("typing_extensions")
+def test_a_process_looks_for_no_plugins_of_pydantic() -> None:
+    code = (
+        "import sys; from rolamento.cli import main\n"
+        "sys.argv = ['rolamento', 'solve', '6310', '--fr', '5 kN']\n"
+        "try: main()\n"
+        "finally: print('email' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.endswith("False\n")
+
+
+def test_a_pydantic_that_asks_for_more_than_plugins_gets_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    import rolamento.cli as process
+
+    known = importlib.import_module(process._PLUGINS)
+    monkeypatch.setitem(sys.modules, process._PLUGINS, process._NoPlugins(process._PLUGINS))
+    stand_in: Any = importlib.import_module(process._PLUGINS)
+    assert stand_in.get_plugins() == ()
+    assert stand_in.PYDANTIC_ENTRY_POINT_GROUP == known.PYDANTIC_ENTRY_POINT_GROUP == "pydantic"
 
 
 def test_a_command_waits_only_for_what_it_needs() -> None:

@@ -13,7 +13,13 @@ from typer.main import get_group_from_info
 from typer.models import TyperInfo
 
 import rolamento
-from rolamento.cli.common import SOLVED, WRONG_INPUT, LanguageOption, plain_endings
+from rolamento.cli.common import (
+    INTERRUPTED,
+    SOLVED,
+    WRONG_INPUT,
+    LanguageOption,
+    plain_endings,
+)
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.streams import end_of_output, print_text
 from rolamento.words import marked, said
@@ -177,14 +183,6 @@ class Program(GroupedCommands):
         super().__init__(**given)
         self.commands = _Commands()  # type: ignore[assignment]  # of which nobody takes one away
 
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Parse the arguments before the command; its module is imported first.
-
-        NumPy then comes before ``typing_extensions`` of pydantic, which makes typing slow.
-        """
-        self.get_command(ctx, next(filter(self.commands.__contains__, args), ""))
-        return super().parse_args(ctx, args)
-
     def line_of(self, name: str) -> str:
         """Return what a command does, in one line; its module is not imported for it."""
         return said(_LINES[name])
@@ -205,7 +203,13 @@ app = typer.Typer(
 def run() -> None:
     """Run the command that the process was called with, and end the process."""
     try:
+        if not _REQUESTS.keys().isdisjoint(sys.argv):
+            # Here the stack is low. Within Typer, NumPy makes its annotations where a piece of it
+            # ends, and each call beyond takes memory from the system and gives it back: 600 times.
+            import rolamento.cli.requested  # noqa: F401
         app(prog_name="rolamento")
+    except KeyboardInterrupt:  # before Typer begins, which minds it
+        sys.exit(INTERRUPTED)
     except SystemExit as end:
         if not end.code:  # who mistyped gets one line alone
             _compile_once(sys.argv[1:])
