@@ -224,9 +224,9 @@ class _Setter:
     def _table(self, block: Table, width: int) -> Lines:
         if block.only_in_files:
             return []
-        lines: Lines = []
-        for heading, part in broken(
-            block, lambda table: _width(self._set_columns(table), table) <= width
+        lines = self._hanging(_EMPTY, block.caption, width, _BOLD) if block.caption else []
+        for number, (heading, part) in enumerate(
+            broken(block, lambda table: _width(self._set_columns(table), table) <= width)
         ):
             table = self._set_columns(part)
             if _width(table, part) > width:  # closer to each other, then to the margin
@@ -235,7 +235,7 @@ class _Setter:
                 part = replace(part, indent=0)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
-            lines += [_EMPTY] if lines else []
+            lines += [_EMPTY] if number else []
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines

@@ -1726,11 +1726,8 @@ def _stiffness(report: Report) -> list[doc.Table]:
         if case.converged:
             found = stiffness_section(case.analysis.solved).blocks[0]
             assert isinstance(found, doc.Table)
-            caption = (
-                said("Stiffness matrix, case {name}", name=case.name)
-                if len(report.cases) > 1
-                else said("Stiffness matrix")
-            )
+            many = len(report.cases) > 1
+            caption = said("Stiffness matrix, case {name}", name=case.name) if many else ""
             tables.append(replace(found, key=f"stiffness_{case.name}", caption=caption))
     return tables
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.charts import Axis, Bars, Chart, Labels, Line, Look, Mark, nothing, series_look
 from rolamento.charts.axes_units import MEGAPASCAL, read_values
+from rolamento.charts.courses import courses, crossing, extremes
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
 from rolamento.charts.palette import SERIES
@@ -118,9 +119,15 @@ def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
         count = int(missing.sum())
         why, look = no_result_count(count, len(missing)), Look("grey", mark="thin")
         series.append(Line(x[missing], np.zeros(count), why, look, "points", height=0.0))
-    upright = Axis(limits=limits, log=True, label=said("Life (h)") if turns
-                   else said("Life (10⁶ rev)"))  # fmt: skip
-    chart = Chart(tuple(series), field_axis(own.over.field, own.values), upright, marks=marks)
+    upright = Axis(said("Life"), "h" if turns else "10⁶ rev", limits, log=True)
+    across = field_axis(own.over.field, own.values)
+    leading = own.headline.theory.tolist()
+    life, _, _, name, _ = max(lines, key=lambda line: leading.count(line[2]))
+    facts = [courses([(name, x, life)], across, upright)]
+    for mark in marks:
+        at = across.with_unit(number(crossing(x, life, mark.at), 3))
+        facts += [f"{mark.name}: {at}"] * bool(np.isfinite(crossing(x, life, mark.at)))
+    chart = Chart(tuple(series), across, upright, "; ".join(facts), marks=marks)
     return chart.where_faint(said("faint: the theory is not valid there"))
 
 
@@ -253,10 +260,17 @@ def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTest
         [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
     )
     least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
-    across = Axis(limits=(least, limits[1]), log=True, label=said("Life (10⁶ rev)"))
+    across = Axis(limits=(least, limits[1]), log=True, name=said("Life"), unit="10⁶ rev")
     ends = _upright_limits(lives, upright, by)
-    upwards = Axis(limits=ends, log=True, label=_upright_name(lives, by))
-    chart = Chart(tuple(lines), across, upwards, marks=marks)
+    upwards = replace(_upright(lives, by), limits=ends, log=True)
+    known = own[np.isfinite(own) & (own > 0.0)]
+    conclusion = (
+        said("this case, {load}: {low} to {high} million revolutions by theory",
+             load=upwards.with_unit(f"{upwards.name} {number(float(at[0]), 3)}"),
+             low=number(float(known.min()), 3), high=number(float(known.max()), 3))
+        if known.size else said("fatigue ends no life here")
+    )  # fmt: skip
+    chart = Chart(tuple(lines), across, upwards, conclusion, marks=marks)
     return chart.where_faint(said("faint: the theory is not valid there"))
 
 
@@ -281,10 +295,10 @@ def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, f
     return least / _LOAD_ROOM, most * _LOAD_ROOM
 
 
-def _upright_name(lives: LoadLives, by: By) -> str:
+def _upright(lives: LoadLives, by: By) -> Axis:
     if by == "pressure":
-        return MEGAPASCAL.label(said("Maximum contact pressure"))
-    return "P/C (ISO/TS 16281)" if lives.by_reference else "P/C (ISO 281)"
+        return Axis(said("Maximum contact pressure"), MEGAPASCAL.symbol)
+    return Axis("P/C", label="P/C (ISO/TS 16281)" if lives.by_reference else "P/C (ISO 281)")
 
 
 # --- a_ISO, the load zone, what would help ----------------------------------------------------
@@ -332,7 +346,14 @@ def modification_chart(summary: LifeSummary | None = None) -> Chart:
         (*series, *points),
         Axis(limits=limits, log=True, label="e_C C_u/P", ticks=_round_ticks(limits)),
         Axis(limits=upright, log=True, label="a_ISO", ticks=_round_ticks(upright)),
-        "; ".join(line.name for line in points),
+        "; ".join(line.name for line in points)
+        if points and all(len(line.x) == 1 for line in points)
+        else extremes(
+            [(one.name, one.x, one.y) for one in points]
+            or [("", strength, factor) for factor in curves],
+            Axis("e_C C_u/P"),
+            Axis("a_ISO"),
+        ),
         symbols=True,
     )
 

@@ -33,12 +33,12 @@ __all__ = ["draw_machine"]
 MM: Final = 1e3
 LOAD: Final = "#8A3A6B"
 """The house's purple, dark enough for small type."""
-SPOKEN: Final = 1.45
+SPOKEN: Final = 1.65
 """Width of a character of small type on paper, in mm."""
-LINE: Final = 3.3
+LINE: Final = 3.75
 """Height of a line of it."""
-SMALL: Final = 7.5
-MOST: Final = 110.0
+SMALL: Final = 8.5
+MOST: Final = 105.0
 """Greatest height of a drawing on paper, in mm."""
 ACROSS: Final = 124.0
 """Its width, likewise."""

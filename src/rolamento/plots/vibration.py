@@ -27,6 +27,7 @@ from rolamento.charts import (
     nothing,
     series_look,
 )
+from rolamento.charts.courses import course, extremes
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.record import Side
 from rolamento.charts.style import new_figure
@@ -166,9 +167,15 @@ def waveform_chart(
     quantity = said(_QUANTITIES[signal.quantity])
     return Chart(
         (_samples(samples, first, signal.rate),),
-        Axis(limits=(first / signal.rate, last / signal.rate), label=said("Time (s)")),
-        Axis(label=f"{quantity} ({unit})" if unit else quantity),
-        marks[0].name if marks else "",
+        Axis(limits=(first / signal.rate, last / signal.rate), name=said("Time"), unit="s"),
+        Axis(quantity, unit),
+        marks[0].name
+        if marks
+        else extremes(
+            [("", np.arange(first, last) / signal.rate, samples)],
+            Axis(unit="s"),
+            Axis(quantity, unit),
+        ),
         marks=tuple(marks),
     )
 
@@ -291,8 +298,8 @@ def kurtogram_chart(found: Kurtogram | None, band: Span | None = None) -> Chart:
     ticks = ((place + 0.5, number(found.levels[place].bandwidth)) for place in range(0, rows, step))
     return Chart(
         (colours, *frames),
-        Axis(limits=(0.0, half), label=said("Frequency (Hz)")),
-        Axis(limits=(float(rows), 0.0), ticks=tuple(ticks), label=said("Bandwidth (Hz)")),
+        Axis(limits=(0.0, half), name=said("Frequency"), unit="Hz"),
+        Axis(limits=(float(rows), 0.0), ticks=tuple(ticks), name=said("Bandwidth"), unit="Hz"),
         name,
     )
 
@@ -388,7 +395,9 @@ def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:
         look, verdict = series_look(number_of), diagnosis.of(part)
         name = part_name(part, diagnosis.element)
         if verdict.band is not None:
-            found.append(said("{part}, found", part=name))
+            found.append(
+                said("{part}, found at {frequency:.4 Hz}", part=name, frequency=verdict.frequency)
+            )
             series += _found(verdict, name, look, spectrum)
         elif verdict.verdict == "nothing_found":
             nominal = verdict.nominal_order * diagnosis.shaft_frequency
@@ -404,9 +413,16 @@ def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:
     low, high = diagnosis.spectra.bands[place]
     return Chart(
         tuple(series),
-        Axis(limits=(0.0, end), label=said("Frequency (Hz)")),
-        Axis(limits=(_FLOOR, top), label=said("Envelope² over noise (dB)")),
-        "; ".join(found),
+        Axis(limits=(0.0, end), name=said("Frequency"), unit="Hz"),
+        Axis(limits=(_FLOOR, top), name=said("Envelope² over noise"), unit="dB"),
+        "; ".join(found)
+        or course(
+            said("no fault found; spectrum"),
+            hertz,
+            np.maximum(level, _FLOOR),
+            Axis(unit="Hz"),
+            Axis(unit="dB"),
+        ),
         marks=tuple(marks),
         zones=tuple(zones),
         over_names=said("Band {low:.4} to {high:.4 Hz}", low=low, high=high),

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rolamento.charts import Axis, Bars, Chart, Line, Look, series_look
+from rolamento.charts.courses import extremes
 from rolamento.charts.drawing import figure
 from rolamento.words import said
 
@@ -94,5 +95,7 @@ def _waveform(signal: Signal, line: float, band: Band, names: tuple[str, str, st
         Line(time, envelope(signal, of_band).samples[middle:end], name, series_look(index))
         for index, (of_band, name) in enumerate(zip((None, band), names[1:], strict=True))
     ]
-    across = Axis(limits=(0.0, float(time[-1])), label=said("Time (ms)"))
-    return Chart(tuple(lines), across, Axis(label=said("Acceleration (m/s²)")))
+    across = Axis(limits=(0.0, float(time[-1])), name=said("Time"), unit="ms")
+    upright = Axis(said("Acceleration"), "m/s²")
+    envelopes = [(line.name, line.x, line.y) for line in lines[1:]]
+    return Chart(tuple(lines), across, upright, extremes(envelopes, across, upright))

@@ -369,7 +369,7 @@ def _between_races(cases: Cases) -> Picture:
     charts = [between_chart(one, roller) for one, roller in chosen]
     half = rounded_up(max(abs(end) for chart in charts for end in chart.y.limits or ()))
     first = replace(charts[0], y=replace(charts[0].y, limits=(-half, half)))
-    told = "; ".join(chart.conclusion for chart in charts)
+    told = "; ".join(chart.says for chart in charts)
     exaggerated = said("Heights are many times exaggerated; the roller's body is cut.")
     return picture(first, *charts[1:], conclusion=f"{told}. {exaggerated}")
 
@@ -486,7 +486,7 @@ def _life(cases: Cases) -> Picture:
     if not all(all(own.valid) for own in bars):
         told.append(said("Faint: the theory is not valid for this case."))
     ends = 10.0 ** limits[0], 10.0 ** limits[1]
-    across = Axis(unit="h", limits=ends, log=True, step=1.0, label=said("Life (h)"))
+    across = Axis(unit="h", limits=ends, log=True, step=1.0, name=said("Life"))
     if not turns:
         label = said("Life (10⁶ rev)")
         across = replace(across, unit="10⁶ rev", label=label)
@@ -562,7 +562,7 @@ def _frequencies(cases: Cases) -> Picture:
     top = rounded_up(1.03 * greatest(line.x for line in series))
     conclusion = said("Under load: {values}. Marks: the first {count} harmonics.",
                       values="; ".join(told), count=_HARMONICS)  # fmt: skip
-    across = Axis(unit="Hz", limits=(0.0, top), label=said("Frequency (Hz)"))
+    across = Axis(unit="Hz", limits=(0.0, top), name=said("Frequency"))
     return picture(
         Chart(tuple(series), across, Axis(categories=tuple(rows)), conclusion, marks=tuple(marks))
     )
@@ -684,7 +684,7 @@ def _temperatures_beside(states: Sequence[tuple[Analysed, HeatBalance]]) -> Pict
     return picture(
         Chart(
             tuple(bars),
-            Axis(unit="°C", limits=(0.0, top), label=said("Temperature (°C)")),
+            Axis(unit="°C", limits=(0.0, top), name=said("Temperature")),
             Axis(categories=tuple(names)),
             said("Heat balance: {values}.", values=told),
         )
