@@ -118,7 +118,7 @@ def test_a_second_axis_is_a_family_of_lines() -> None:
     assert len({(line.get_linestyle(), line.get_marker()) for line in axes.lines}) == 3
     pressure = study["max_inner_max_pressure"].values / 1e6
     np.testing.assert_allclose([line.get_ydata() for line in axes.lines], pressure.T)
-    assert axes.get_ylabel() == "Maximum Hertz pressure, inner race (MPa)"
+    assert axes.get_ylabel() == "Maximum contact pressure, inner race (MPa)"
 
 
 def test_over_chooses_the_axis_across() -> None:

@@ -17,7 +17,8 @@ from tests.one_case import said
 import rolamento
 from rolamento import Case
 from rolamento.case.model import CageKind, RacewayControl
-from rolamento.document import Document, KeyValues
+from rolamento.document import Column, Document, KeyValues, Number
+from rolamento.document.cells import cells
 from rolamento.document.medium import Medium
 from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
@@ -28,7 +29,7 @@ from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.form import control_names
 from rolamento.status import STATUS_NAMES
-from rolamento.words import ABSENT, Manner, aligned, decimals_for, language_of, speaking
+from rolamento.words import ABSENT, Manner, decimals_for, language_of, speaking
 from rolamento.words.reasons import reason
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
@@ -260,7 +261,8 @@ def test_quantities_of_a_case_keep_their_digits() -> None:
 
 
 def test_decimal_marks_fall_below_each_other() -> None:
-    assert aligned(["1.25", "10", ABSENT], ".") == ["1.25", "10   ", f"{ABSENT}   "]
+    column = Column("", [Number(1.25, ".3"), Number(10.0, ".3"), Number(nan, ".3")])
+    assert cells(column) == ["1.25", "10   ", f"{ABSENT}   "]
 
 
 # --- the rosette ------------------------------------------------------------

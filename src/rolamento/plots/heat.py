@@ -16,11 +16,12 @@ from rolamento.charts.courses import course
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
 from rolamento.charts.frame import panels
-from rolamento.charts.texts import no_result
+from rolamento.charts.texts import capitalised, no_result
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
+from rolamento.words.quantities import called
 from rolamento.words.sentences.heat import PLACE_NAMES, VARIANT_NAMES
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ def heat_over_figure(found: HeatOver) -> Figure:
     """
     charts = [
         _temperatures(found),
-        _lines(found, {said("power loss"): found.power}, "W", said("Power loss")),
+        _lines(found, {called("power"): found.power}, "W", capitalised(called("power"))),
     ]
     if found.has_preload:
         preloads = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
@@ -149,7 +150,7 @@ def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
         chart(warmest, Axis(name=said("Warmest part"), unit="°C"))
         if len(courses) > 1
         else chart(nodes, Axis(name=said("Temperature"), unit="°C")),
-        course("W", said("Power loss"), [found.power for _, found in courses]),
+        course("W", capitalised(called("power")), [found.power for _, found in courses]),
     ]
     if any(found.has_preload for _, found in courses):
         preloads = [found.preload for _, found in courses]

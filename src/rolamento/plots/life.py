@@ -21,7 +21,6 @@ from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
 from rolamento.charts.palette import SERIES
 from rolamento.charts.record import Side
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import capitalised, no_result, no_result_count, number, theory_label
 from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
 from rolamento.life.iso16281 import THEORY as REFERENCE
@@ -29,6 +28,7 @@ from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -86,8 +86,7 @@ def life_figure(curves: Sequence[LifeCurve]) -> Figure:
 
 def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Axes:
     """Draw the life by every theory, as `lives_chart` has it, on axes."""
-    axes = new_figure(height=110.0)[1] if axes is None else axes
-    return draw(lives_chart(curves), axes)
+    return draw(lives_chart(curves), axes, height=110.0)
 
 
 def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
@@ -228,8 +227,7 @@ def load_over_life(
 
     A line is faint where its theory does not hold; the case itself has a mark on each.
     """
-    axes = new_figure(height=115.0)[1] if axes is None else axes
-    return draw(load_chart(lives, by=by, tests=tests), axes)
+    return draw(load_chart(lives, by=by, tests=tests), axes, height=115.0)
 
 
 def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Chart:
@@ -254,7 +252,7 @@ def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTest
         lines += _tested(one, place, by)
     marks: tuple[Mark, ...] = ()
     if by == "load":
-        name = said("fatigue load limit C_u")
+        name = called("fatigue_load_limit")
         marks = (Mark(lives.fatigue_load, name, Look("grey", width=0.65)),)
     ran = np.array(
         [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
@@ -297,7 +295,7 @@ def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, f
 
 def _upright(lives: LoadLives, by: By) -> Axis:
     if by == "pressure":
-        return Axis(said("Maximum contact pressure"), MEGAPASCAL.symbol)
+        return Axis(capitalised(called("max_pressure")), MEGAPASCAL.symbol)
     return Axis("P/C", label="P/C (ISO/TS 16281)" if lives.by_reference else "P/C (ISO 281)")
 
 
@@ -317,8 +315,7 @@ def aiso_chart(summary: LifeSummary | None = None, axes: Axes | None = None) -> 
     Curves are without additives; a case with them may lie above its curve, at 3 at most.
     ISO 281:2007, 9.3.3: radial ball bearings, or those of rollers for a roller bearing.
     """
-    axes = new_figure(height=110.0)[1] if axes is None else axes
-    return draw(modification_chart(summary), axes)
+    return draw(modification_chart(summary), axes, height=110.0)
 
 
 def modification_chart(summary: LifeSummary | None = None) -> Chart:
@@ -379,8 +376,7 @@ def load_zone_figure(life: ZoneLife) -> Figure:
 
 def life_over_zone(life: ZoneLife, axes: Axes | None = None) -> Axes:
     """Draw life over the load zone, as `zone_chart` has it, on axes; by default of a new figure."""
-    axes = new_figure(height=95.0)[1] if axes is None else axes
-    return draw(zone_chart(life), axes)
+    return draw(zone_chart(life), axes, height=95.0)
 
 
 def zone_chart(life: ZoneLife) -> Chart:

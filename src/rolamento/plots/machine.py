@@ -23,7 +23,7 @@ from rolamento.charts.frame import add_title, empty_frame, label_x, require_axes
 from rolamento.charts.palette import SERIES
 from rolamento.charts.record import Side
 from rolamento.charts.style import MILLIMETRE, WIDTH, in_style, new_figure, styled
-from rolamento.charts.texts import no_result, number, shown_text
+from rolamento.charts.texts import capitalised, no_result, number, shown_text
 from rolamento.errors import InputError
 from rolamento.plots.machine_drawing import (
     LINE,
@@ -42,6 +42,8 @@ from rolamento.plots.machine_drawing import (
 )
 from rolamento.solved import RACES
 from rolamento.words import said
+from rolamento.words.naming import machine_title
+from rolamento.words.quantities import called
 from rolamento.words.whirl import whirl_name
 
 if TYPE_CHECKING:
@@ -481,7 +483,7 @@ def machine_over_figure(found: MachineCurve) -> Figure:
             draw(chart, axes, legend=place in (0, 3))
         for axes in grid[:2]:
             axes.set_xlabel("")
-        add_title(figure, machine.title or said("Machine without a title"))
+        add_title(figure, machine_title(machine.title))
     return figure
 
 
@@ -500,9 +502,9 @@ def machine_over_charts(found: MachineCurve) -> tuple[Chart, ...]:
     return (
         replace(lives, series=(*lives.series, whole)),
         chart(machine.bearings, lambda name: 1e-6 * found.of_bearing(name, "max_pressure"),
-              Axis(name=said("Maximum pressure"), unit="MPa", zero=True)),
+              Axis(name=capitalised(called("max_pressure")), unit="MPa", zero=True)),
         chart(machine.bearings, lambda name: 1e3 * found.of_bearing(name, "tilt"),
-              Axis(name=said("Tilt between the rings"), unit="mrad", zero=True)),
+              Axis(name=capitalised(called("ring_tilt")), unit="mrad", zero=True)),
         chart(machine.shafts, lambda name: 1e6 * found.of_shaft(name, "deflection"),
               Axis(name=said("Deflection"), unit="µm", zero=True)),
     )  # fmt: skip
@@ -620,11 +622,9 @@ def campbell_figure(found: Campbell) -> Figure:
     found
         From `rolamento.rotors.campbell`.
     """
-    with styled():
-        figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.65 * WIDTH * MILLIMETRE))
-        draw(campbell_chart(found), figure.add_subplot())
-        add_title(figure, found.machine.title or said("Machine without a title"))
-    return figure
+    return charts(
+        campbell_chart(found), title=machine_title(found.machine.title), height=0.65 * WIDTH
+    )
 
 
 def campbell_chart(found: Campbell) -> Chart:
@@ -676,8 +676,7 @@ def modes_figure(found: Modes, *, count: int = 4) -> Figure:
         How many of them.
     """
     shown = [mode_chart(found, mode) for mode in range(min(count, len(found)))]
-    title = found.machine.title or said("Machine without a title")
-    return charts(*shown, title=title, height=34.0 * len(shown))
+    return charts(*shown, title=machine_title(found.machine.title), height=34.0 * len(shown))
 
 
 def mode_chart(found: Modes, mode: int) -> Chart:
@@ -704,19 +703,15 @@ def response_figure(found: UnbalanceResponse) -> Figure:
     found
         From `rolamento.rotors.unbalance_response`.
     """
-    with styled():
-        figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.75 * WIDTH * MILLIMETRE))
-        orbits, forces = figure.subplots(2, 1, sharex=True)
-        rpm, across = 30.0 / np.pi * np.abs(found.speed), _speed_of(found.shaft)
-        orbit = {name: 1e6 * found.amplitude(name).max(axis=1) for name in found.displacement}
-        force = {name: found.force_amplitude(name) for name in found.force}
-        for axes, own, upright in (
-            (orbits, orbit, Axis(said("Greatest orbit"), "µm", log=True)),
-            (forces, force, Axis(said("Force at bearing"), "N", log=True)),
-        ):
-            lines = (Line(rpm, values, name, series_look(place))
-                     for place, (name, values) in enumerate(own.items()))  # fmt: skip
-            draw(Chart(tuple(lines), across, upright), axes)
-        orbits.set_xlabel("")
-        add_title(figure, found.machine.title or said("Machine without a title"))
-    return figure
+    rpm, across = 30.0 / np.pi * np.abs(found.speed), _speed_of(found.shaft)
+    orbit = {name: 1e6 * found.amplitude(name).max(axis=1) for name in found.displacement}
+    force = {name: found.force_amplitude(name) for name in found.force}
+    shown = []
+    for own, upright in (
+        (orbit, Axis(said("Greatest orbit"), "µm", log=True)),
+        (force, Axis(said("Force at bearing"), "N", log=True)),
+    ):
+        lines = (Line(rpm, values, name, series_look(place))
+                 for place, (name, values) in enumerate(own.items()))  # fmt: skip
+        shown.append(Chart(tuple(lines), across, upright))
+    return charts(*shown, title=machine_title(found.machine.title), height=0.75 * WIDTH)

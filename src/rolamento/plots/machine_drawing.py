@@ -20,6 +20,7 @@ from rolamento.charts.texts import number, shown_text
 from rolamento.errors import InputError
 from rolamento.types import type_of_element
 from rolamento.words import said
+from rolamento.words.naming import machine_title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -121,7 +122,7 @@ def check_step(solved: SolvedMachine, step: int) -> None:
 
 def title_of(solved: SolvedMachine, step: int | None) -> str:
     """Return what a machine is called, and a step of its spectrum."""
-    title = solved.title or said("Machine without a title")
+    title = machine_title(solved.title)
     name = "" if step is None else solved.steps[step]
     return f"{title}: {name}" if name else title
 

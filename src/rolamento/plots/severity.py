@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Bars, Chart, Look, Mark, Zone
 from rolamento.charts.drawing import draw, figure
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import shown_text
 from rolamento.plots.growth import growth_chart, over_time
 from rolamento.words import marked, said
@@ -66,8 +65,7 @@ def zone_bars(
     setting
         Alarm and trip of the only class.
     """
-    axes = new_figure(height=_height(classes))[1] if axes is None else axes
-    return draw(zones_chart(measured, classes, setting), axes)
+    return draw(zones_chart(measured, classes, setting), axes, height=_height(classes))
 
 
 def _height(classes: Sequence[MachineClass]) -> float:

@@ -27,7 +27,6 @@ from rolamento.charts.axes_units import NONE, PERCENT, ReadableUnit
 from rolamento.charts.courses import extremes
 from rolamento.charts.drawing import draw
 from rolamento.charts.palette import SERIES
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import no_result, no_result_count, number
 from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile
@@ -173,8 +172,7 @@ def study_map(
     study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
     """Draw an output over two axes of a study, as `map_chart` has it."""
-    axes = new_figure(height=100.0)[1] if axes is None else axes
-    return draw(map_chart(study, variable, over), axes)
+    return draw(map_chart(study, variable, over), axes, height=100.0)
 
 
 def map_chart(study: StudyData, variable: str = "", over: str = "") -> Chart:

@@ -30,11 +30,11 @@ from rolamento.charts import (
 from rolamento.charts.courses import course, extremes
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.record import Side
-from rolamento.charts.style import new_figure
-from rolamento.charts.texts import number
+from rolamento.charts.texts import capitalised, number
 from rolamento.vibration.diagnosis import COMPONENTS
-from rolamento.words import manner, marked, said
+from rolamento.words import manner, said
 from rolamento.words.naming import part_name
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,12 +52,6 @@ _PERIODS: Final = 12.0
 """Number of periods of a fault that are shown of its waveform."""
 _MOST_MARKS: Final = 200
 _PHASES: Final = 64
-_QUANTITIES: Final = {
-    "acceleration": marked("Acceleration"),
-    "velocity": marked("Velocity"),
-    "displacement": marked("Displacement"),
-    "unknown": marked("Signal"),
-}
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
 
 
@@ -126,8 +120,9 @@ def waveform(
     band: Span | None = None,
 ) -> Axes:
     """Draw a signal over time, as `waveform_chart` has it, on axes; by default of a new figure."""
-    axes = new_figure(height=70.0)[1] if axes is None else axes
-    return draw(waveform_chart(signal, period=period, part=part, span=span, band=band), axes)
+    return draw(
+        waveform_chart(signal, period=period, part=part, span=span, band=band), axes, height=70.0
+    )
 
 
 def waveform_chart(
@@ -164,7 +159,7 @@ def waveform_chart(
         times = _impacts(signal, (first, last), period, band)
         marks = [Mark(time, "" if place else name, look, "x") for place, time in enumerate(times)]
     unit = _UNITS.get(signal.unit, signal.unit)
-    quantity = said(_QUANTITIES[signal.quantity])
+    quantity = capitalised(called(signal.quantity))
     return Chart(
         (_samples(samples, first, signal.rate),),
         Axis(limits=(first / signal.rate, last / signal.rate), name=said("Time"), unit="s"),
@@ -352,8 +347,7 @@ def envelope_lines(
     diagnosis: Diagnosis, axes: Axes | None = None, *, band: int | None = None
 ) -> Axes:
     """Draw the spectrum of `envelope_chart` on axes; of a new figure if not given."""
-    axes = new_figure(height=95.0)[1] if axes is None else axes
-    return draw(envelope_chart(diagnosis, band), axes)
+    return draw(envelope_chart(diagnosis, band), axes, height=95.0)
 
 
 def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:

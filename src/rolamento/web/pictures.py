@@ -65,6 +65,7 @@ from rolamento.tasks.heat import balance_of
 from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS
 from rolamento.words import ENDLESS, in_unit, manner, marked, said
+from rolamento.words.quantities import called
 from rolamento.words.sentences.heat import PLACE_NAMES
 
 __all__ = ["PICTURES", "PictureKind", "described", "figures"]
@@ -227,7 +228,7 @@ def _film_parameter(cases: Cases) -> Picture:
 
     if not isfinite(greatest(parameter(one, race) for one in known for race in RACES)):
         return empty(said("λ needs the roughness of the surfaces."))
-    name = capitalised(said("film parameter λ"))
+    name = capitalised(called("film_parameter"))
     chart = over_azimuth(known, parameter, name, NONE, zero=True, least=True, most=_MOST_LINES)
     ends = [inf, *(max(regime.above, 0.0) for regime in regimes())]
     zones = tuple(
@@ -355,7 +356,7 @@ def _along_roller(cases: Cases) -> Picture:
             )  # fmt: skip
         label = roller_label(one.solved, roller)
         told[-1] = said("{values} ({roller})", values=told[-1], roller=label)
-    name = said("Maximum contact pressure")
+    name = capitalised(called("max_pressure"))
     solved = [one.solved for one, _ in chosen]
     marks = limit_marks(solved, 1e6 * greatest(line.y for line in lines))
     return picture(along_chart(lines, solved, name, listed(name, told), marks))
@@ -408,7 +409,7 @@ def _friction(cases: Cases) -> Picture:
         words = {"inner": said("heat, inner"), "outer": said("heat, outer")}
         bars = [(words[race], race_look(race), heat) for race, heat in by_race.items()]
     told = [one.named(_friction_told(own, torque)) for one, own in known]
-    title = said("Power loss") if turns else said("Friction torque")
+    title = capitalised(called("power")) if turns else capitalised(called("torque"))
     most = float(in_unit(max(max(own) for own in shown.values()), unit))
     places = tuple(range(len(names)))
     return picture(
