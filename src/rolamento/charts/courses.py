@@ -105,13 +105,17 @@ def peak(lines: Sequence[Points], across: Axis, upright: Axis) -> str:
 
 def _point(lines: Sequence[Points], place: int, across: Axis, upright: Axis) -> str:
     """Return a point of lines, counted through all of them, and which it is on."""
-    names = [name for name, _, y in lines for _ in y]
-    x, y = (np.concatenate([one[part] for one in lines]) for part in (1, 2))
-    value, where = (_written(one[place]) for one in (y, x))
-    values = {"value": upright.with_unit(value), "where": across.with_unit(where)}
-    if not names[place]:
+    ends = np.cumsum([len(y) for *_, y in lines])
+    line = int(np.searchsorted(ends, place, side="right"))
+    name, x, y = lines[line]
+    own = place - int(ends[line]) + len(y)
+    values = {
+        "value": upright.with_unit(_written(y[own])),
+        "where": across.with_unit(_written(x[own])),
+    }
+    if not name:
         return said("{value} at {where}", **values)
-    return said("{value} at {where} ({what})", **values, what=names[place])
+    return said("{value} at {where} ({what})", **values, what=name)
 
 
 def _written(value: float) -> str:
