@@ -36,7 +36,7 @@ from unittest import mock
 import numpy as np
 from PIL import Image
 
-from rolamento.cli import main as rolamento
+from rolamento.cli.app import run as rolamento
 
 ROOT: Final = Path(__file__).parents[1]
 DOCS: Final = ROOT / "docs"

@@ -34,7 +34,8 @@ KEYWORDS: Final = {
     "marked_in": ((1, "c"), 2),
     "counted": (1, 2),
 }
-_PLACE: Final = re.compile(r"\{[^{}]*\}")
+_PLACE: Final = re.compile(r"\{[^{}]*\}|`[^`]+`")
+"""What is filled in: values, and names in the spelling of whoever says the text."""
 
 
 def template() -> Catalog:

@@ -41,9 +41,7 @@ __all__ = [
 ]
 
 _LONGEST_VALUE: Final = 60
-_ACTING: Final = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
-)
+_ACTING: Final = "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
 
 
 _STREAMS: Final = (
@@ -313,7 +311,7 @@ def printable(text: str) -> str:
     Those are control characters, but for ends of lines and tabs, and what turns the direction of
     writing. Texts of files come through here before they are shown.
     """
-    return _ACTING.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
+    return re.sub(_ACTING, lambda found: found[0].encode("unicode_escape").decode(), text)
 
 
 def nearest(word: str, known: Iterable[str]) -> str:

@@ -14,7 +14,7 @@ from rolamento.words import said
 
 __all__ = ["cleanliness_numbers"]
 
-_CODE: Final = re.compile(r"(-|\*|\d{1,2})/(\d{1,2})/(\d{1,2})", re.ASCII)
+_CODE: Final = r"(?a)(-|\*|\d{1,2})/(\d{1,2})/(\d{1,2})"
 _LONGEST: Final = 40
 _GREATEST_NUMBER: Final = 28
 _EXAMPLE: Final = 'cleanliness = "-/17/14"'
@@ -31,7 +31,7 @@ def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
     >>> cleanliness_numbers("-/17/14")
     (None, 17, 14)
     """
-    found = _CODE.fullmatch(str(code)[:_LONGEST].strip())
+    found = re.fullmatch(_CODE, str(code)[:_LONGEST].strip())
     if found is None:
         raise InputError(
             said(

@@ -191,7 +191,7 @@ def _running(machines: Sequence[Machine], index: int, given: Case | None = None)
     """The cases of a bearing, with the clearance in operation and the speeds of its rings."""
     bearing, field = machines[0].bearings[index], f"bearings.{index}"
     case = bearing.case if given is None else given
-    if case.model.raceway_control == "friction" or case.model.needs_film:
+    if case.model.raceway_control == "friction" or case.model.film_field:
         raise InputError(
             said("is for a bearing alone, not for one in a machine"),
             field=f"{field}.{case.model.film_field or 'model.raceway_control'}",

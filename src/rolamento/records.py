@@ -54,9 +54,13 @@ def _frozen(
 ) -> Any:
     own = frozenset(vars(cls))
     made: Any = dataclass(init=False, repr=False, eq=False, kw_only=kw_only, slots=slots)(cls)
-    methods = {"__repr__": concise, "__setattr__": _refused, "__delattr__": _refused}
+    methods: dict[str, Any] = {
+        "__repr__": concise,
+        "__setattr__": _refused,
+        "__delattr__": _refused,
+    }
     if init:
-        methods["__init__"] = _init_of(made)
+        methods["__init__"] = _Init(made)
     if eq:
         methods["__eq__"], methods["__hash__"] = _comparison_of(made)
     if slots:
@@ -101,6 +105,20 @@ def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
     if len(names) > 1:  # else `attrgetter` gives no tuple
         return attrgetter(*names)
     return lambda record: tuple(getattr(record, name) for name in names)
+
+
+class _Init:
+    """The ``__init__`` of a record, which is written when it is first asked for.
+
+    Half of the records that a command imports are never made.
+    """
+
+    def __init__(self, cls: Any) -> None:
+        self._cls = cls
+
+    def __get__(self, record: object, cls: Any) -> Any:
+        self._cls.__init__ = init = _init_of(self._cls)
+        return init if record is None else init.__get__(record, cls)
 
 
 class _Made:

@@ -436,7 +436,7 @@ def _held(
 def _refuse_lost(rest: MachineRest) -> None:
     if rest.number[0] != CONVERGED:
         raise InputError(
-            said("has no equilibrium; see what rolamento shaft says of it"), field="machine"
+            said("has no equilibrium; see what `rolamento shaft` says of it"), field="machine"
         )
 
 

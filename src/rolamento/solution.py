@@ -236,7 +236,7 @@ def _spread_over(cases: int, arrays: Mapping[str, ArrayLike]) -> dict[str, Float
 
 def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None) -> Solved:
     cases = spread(case, given, threads=threads)
-    if case.model.needs_film:
+    if case.model.film_field is not None:
         from rolamento.lubrication.film_control import solved_on_film
 
         return solved_on_film(cases)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
@@ -259,20 +260,19 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
 _LONGEST_TEXT: Final = 100
 _GREATEST_EXPONENT: Final = 400
 _NUMBER: Final = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
-_WITH_COMMA: Final = re.compile(
-    r"([+-]?(?:[1-9][0-9]{0,2}(?:\.[0-9]{3})+|[0-9]*),[0-9]+(?:[eE][+-]?[0-9]+)?)\s*([^,]*)",
-    re.DOTALL,
+_WITH_COMMA: Final = (
+    r"(?s)([+-]?(?:[1-9][0-9]{0,2}(?:\.[0-9]{3})+|[0-9]*),[0-9]+(?:[eE][+-]?[0-9]+)?)\s*([^,]*)"
 )
 """A number with a decimal comma, as those write who part thousands with points."""
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(.*)", re.DOTALL)
-_IN_THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}")
+_IN_THOUSANDS: Final = r"[+-]?[1-9]\d{0,2}\.\d{3}"
 """As those write thousands whose decimal mark is a comma."""
 _COUNTED_IN_THOUSANDS: Final = (
     "rpm", "RPM", "r/min", "1/min", "min^-1", "min⁻¹", "U/min", "rot/min", "N", "kgf", "kp",
 )  # fmt: skip
 """Units of which a thousandth is hardly meant; 9.525 mm is."""
 _FACTOR: Final = re.compile(r"\s*([*/])?\s*([A-Za-zµμ]+)(?:(?:\^|\*\*)?(-?[1-4])(?![0-9]))?\s*")
-_ONE_OVER: Final = re.compile(r"^\s*1\s*/\s*([A-Za-z]+)(?![A-Za-z^*0-9])")
+_ONE_OVER: Final = r"^\s*1\s*/\s*([A-Za-z]+)(?![A-Za-z^*0-9])"
 _PLAINER: Final = str.maketrans(
     {"·": "*", "⋅": "*", "×": "*", ".": "*", "²": "2", "³": "3", "⁴": "4", "¹": "1", "⁻": "-",
      "−": "-", "º": "°", "˚": "°", "℃": "°C", "℉": "°F"}
@@ -308,7 +308,7 @@ _PLATES: Final[dict[Dimension, tuple[str, ...]]] = {
     "temperature": ("degF", "°C", "°F"),
 }
 """Units besides the common ones whose case may be wrong, and those for which they may be taken."""
-_POUND: Final = re.compile(r"\blbs?\b")
+_POUND: Final = r"\blbs?\b"
 _SMALL_LENGTH: Final = 1e-4
 """Below it (m) people write a computed length in micrometres."""
 _FIFTEEN_DIGITS: Final = Context(prec=15)
@@ -344,10 +344,11 @@ def to_si(text: str, dimension: Dimension) -> float:
         )
     number, unit_text = _split(text, dimension)
     unit = _COMMON[dimension].get(unit_text) or _spelled_unit(unit_text, dimension)
-    try:
-        return float(_exact(number) * unit.scale + unit.offset)
-    except OverflowError:
-        raise UnitError(said("is beyond the range of floating-point numbers"), value=text) from None
+    exponent = int(number.lower().partition("e")[2] or 0)
+    with suppress(OverflowError):
+        if abs(exponent) <= _GREATEST_EXPONENT:  # a greater one would fill the memory
+            return float(Fraction(number) * unit.scale + unit.offset)
+    raise UnitError(said("is beyond the range of floating-point numbers"), value=text)
 
 
 def from_si(value: float, dimension: Dimension) -> str:
@@ -407,8 +408,6 @@ def _familiar_unit(value: float, dimension: Dimension) -> str:
         return "kN" if abs(value) >= 1e3 else "N"
     if dimension == "stress":
         return "GPa" if abs(value) >= 1e9 else "MPa"
-    if dimension == "density":
-        return "kg/m^3"
     return next(iter(_COMMON[dimension]))
 
 
@@ -422,10 +421,8 @@ def _plain(decimal: Decimal) -> str:
 
 def _split(text: str, dimension: Dimension) -> tuple[str, str]:
     """Return the number and the unit of a text, or explain what is wrong with it."""
-    stripped = text.strip()
-    if stripped.startswith("−"):
-        stripped = "-" + stripped[1:]
-    match = _QUANTITY.fullmatch(typed(stripped))
+    stripped = re.sub("^−", "-", text.strip())
+    match = _QUANTITY.fullmatch(typed(stripped) if "," in stripped else stripped)
     if match is None:
         raise UnitError(
             said(
@@ -453,7 +450,7 @@ def typed(text: str) -> str:
 
     Where the language that is spoken has decimal commas; other texts are returned as they are.
     """
-    if manner().mark != "," or not (match := _WITH_COMMA.fullmatch(text.strip())):
+    if manner().mark != "," or not (match := re.fullmatch(_WITH_COMMA, text.strip())):
         return text
     return f"{match[1].replace('.', '').replace(',', '.')} {match[2]}".strip()
 
@@ -486,21 +483,13 @@ def refuse_thousands(text: str, units: tuple[str, ...] = _COUNTED_IN_THOUSANDS) 
 
 def doubt_of_thousands(number: str) -> str:
     """Return the rule that a number breaks whose points may part thousands; empty for others."""
-    if manner().mark != "," or not _IN_THOUSANDS.fullmatch(number):
+    if manner().mark != "," or not re.fullmatch(_IN_THOUSANDS, number):
         return ""
     return said(
         "may be {decimal} or, with a point between thousands, {whole}; write it without that point",
         decimal=float(number),
         whole=int(number.replace(".", "")),
     )
-
-
-def _exact(number: str) -> Fraction:
-    """Return a decimal number as a fraction, refusing exponents that would fill the memory."""
-    _, _, exponent = number.lower().partition("e")
-    if exponent and abs(int(exponent)) > _GREATEST_EXPONENT:
-        raise OverflowError
-    return Fraction(number)
 
 
 @lru_cache(maxsize=1024)
@@ -567,10 +556,10 @@ def _factors(text: str, dimension: Dimension) -> list[tuple[str, str, int]]:
     plain = _HYPHEN.sub("*", text).translate(_PLAINER)
     plain = plain.replace("°C", "degC").replace("°F", "degF")
     if dimension in ("force", "moment"):
-        plain = _POUND.sub("lbf", plain)
+        plain = re.sub(_POUND, "lbf", plain)
     plain = plain.replace("°", "deg")
     if SI_UNIT[dimension].startswith("1/"):
-        plain = _ONE_OVER.sub(r"\1^-1", plain, count=1)
+        plain = re.sub(_ONE_OVER, r"\1^-1", plain, count=1)
     factors: list[tuple[str, str, int]] = []
     position = 0
     while position < len(plain):

@@ -33,7 +33,7 @@ import numpy as np
 import xarray as xr
 
 import rolamento
-from rolamento.cli import main
+from rolamento.cli.app import run
 
 __all__ = [
     "RUNS",
@@ -144,7 +144,7 @@ def _run(words: Sequence[str]) -> tuple[int, str]:
         contextlib.redirect_stderr(said),
     ):
         try:
-            main()
+            run()
         except SystemExit as end:
             code = int(end.code or 0)
     said.flush()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,8 @@ from typer.testing import CliRunner
 
 import rolamento
 from rolamento.cli.app import app
-from rolamento.cli.grouped_help import METAVAR, paragraphs
-from rolamento.words import said, said_in, speaking
+from rolamento.cli.grouped_help import METAVAR, as_option, paragraphs
+from rolamento.words import said, said_in, speaking, spelling
 
 EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
 SAME = {"N", "P", "R", "S", "G", "M", "C", "K", "H,H,…", "A,A,…", "DB", "BETA"}
@@ -56,8 +57,10 @@ def test_the_help_of_every_command_is_said(names: tuple[str, ...], command: Any)
     texts += [getattr(one, "help", None) for one in command.params]
     shown = flat(portuguese)
     for text in (part for one in texts if one for part in paragraphs(one)):
-        with speaking("pt"):
-            translated = said(text)
+        with spelling(partial(as_option, {"changes": "--set"})):
+            with speaking("pt"):
+                translated = said(text)
+            text = said(text)
         assert translated != text
         if "[" not in text:  # where a line may break
             assert flat(text) in flat(english) or text not in english

@@ -13,6 +13,7 @@ import pytest
 
 import rolamento
 from rolamento.case import Case
+from rolamento.numerics.compiled import Kernel
 from rolamento.numerics.threads import ready
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch import solve_some
@@ -20,6 +21,7 @@ from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.run import BallResponse
 from rolamento.rows.ball.set_blocks import solve_sets
+from rolamento.rows.roller.batch import hold_cases
 from rolamento.system import spread
 
 
@@ -59,20 +61,29 @@ def test_one_case_does_not_load_the_compiler() -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_a_set_loads_what_runs_it_and_not_what_compiles_it() -> None:
+@pytest.mark.parametrize(
+    ("example", "kernel", "needless"),
+    [
+        ("6012_pair.toml", solve_sets, ["numba.np.arrayobj", "numba.np.linalg", "scipy.linalg"]),
+        ("30206_pinion.toml", hold_cases, ["scipy.linalg"]),
+    ],
+)
+def test_a_set_loads_what_runs_it_and_not_what_compiles_it(
+    example: str, kernel: Kernel[..., object], needless: list[str]
+) -> None:
     program = (
         "import sys, rolamento\n"
         "from importlib.resources import files\n"
-        "case = rolamento.load_case(files('rolamento') / 'examples' / '6012_pair.toml')\n"
-        "assert rolamento.solve(case).converged[0]\n"
-        "loaded = {'numba.np.arrayobj', 'numba.np.linalg', 'scipy.linalg'} & set(sys.modules)\n"
-        "print(', '.join(sorted(loaded)))"
+        f"case = rolamento.load_case(files('rolamento') / 'examples' / {example!r})\n"
+        "solved = rolamento.solve(case)\n"
+        "assert solved.converged[0] and solved.preload\n"
+        f"print(*(name for name in ['numba', *{needless}] if name in sys.modules))"
     )
-    for kept in (solve_sets.is_cached, True):  # compiled by the first, where nobody has before
+    for kept in (kernel.is_cached, True):  # compiled by the first, where nobody has before
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
         if kept:
-            assert done.stdout == "\n"
+            assert done.stdout == "numba\n"
 
 
 KERNEL = """

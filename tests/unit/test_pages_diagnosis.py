@@ -461,11 +461,11 @@ class TestFrequencies:
             assert "frequencies under load, mean contact angle " in text
             assert f"cage order {order}, " in text
             assert f"{loaded.cage.minimum:.4f} to {loaded.cage.maximum:.4f} over the balls" in text
-            assert "cage within 1.23 % of its speed under load wider than --slip, to cover" in text
+            assert "cage within 1.23 % of its speed under load wider than slip, to cover" in text
         else:
             assert "frequências sob carga, ângulo de contato médio" in text
             assert f"ordem da gaiola {order.replace('.', ',')}, de " in text
-            assert "gaiola a até 1,23 % da sua rotação sob carga mais do que --slip" in text
+            assert "gaiola a até 1,23 % da sua rotação sob carga mais do que slip" in text
         data = data_of(found)
         assert data["frequencies"]["source"] == "loaded"
         assert (data["slip"], data["state"]["converged"]) == (0.001, True)

@@ -223,6 +223,22 @@ def test_what_people_print_has_ten_lines() -> None:
 OIL_FIELDS: dict[str, Any] = {"lubricant": "ISO VG 68", "temperature__lubricant": "70 degC"}
 
 
+def test_a_constructor_is_written_when_it_is_first_asked_for() -> None:
+    @frozen
+    class Made:
+        load: float
+        name: str = "inner"
+
+    class Derived(Made):
+        """Made by the constructor of another."""
+
+    assert not inspect.isfunction(vars(Made)["__init__"])
+    assert Derived(2.0).load == 2.0
+    assert inspect.isfunction(vars(Made)["__init__"])
+    assert "__init__" not in vars(Derived)
+    assert str(inspect.signature(Made)) == "(load: 'float', name: 'str' = 'inner') -> None"
+
+
 def _records_in(value: Any, seen: set[int]) -> Any:
     if id(value) in seen:
         return

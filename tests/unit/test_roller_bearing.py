@@ -133,6 +133,46 @@ def test_a_set_of_both_kinds() -> None:
         ball_bearing(case)
 
 
+@pytest.mark.parametrize("bearing", [RollerBearing.named("NU 205"), Bearing.named("6205")])
+def test_a_mounting_takes_its_sizes_from_a_bearings_record(bearing: Any) -> None:
+    case = Case(bearing=bearing, duty={}, mounting={"shaft_tolerance": "k5"})
+    assert case.mounting is not None
+    sizes = case.mounting.bore, case.mounting.outside_diameter
+    assert sizes == pytest.approx((0.025, 0.052))
+
+
+@pytest.mark.parametrize(
+    ("bearing", "elements"),
+    [
+        ({"designation": "N 416"}, ["cylindrical"] * 2),
+        ({"designation": "30206"}, ["tapered"] * 2),
+        ({"designation": "6210"}, ["ball"] * 2),
+        (NU, ["cylindrical"] * 2),
+        (CONE, ["tapered"] * 2),
+        (BALLS, ["ball"] * 2),
+        ({"designation": "30206", "second": {"designation": "NU 210"}}, ["tapered", "cylindrical"]),
+        ({"designation": "6210", "second": NU}, ["ball", "cylindrical"]),
+    ],
+)
+def test_a_row_that_does_not_say_is_of_its_bearings_elements(
+    bearing: dict[str, Any], elements: list[str]
+) -> None:
+    given = dict(bearing)
+    second = given.pop("second", {})
+    rows = [{"position": "-20 mm"}, {"position": "20 mm", **second}]
+    case = case_of({**given, "rows": rows})
+    assert [place.bearing.element for place in case.bearing.places] == elements
+    assert case.bearing.element == elements[0]
+    assert Case.from_mapping(case.to_mapping()) == case
+    if second:
+        return
+    one = case_of({**given, "rows": [{"element": elements[0], "position": "0 mm"}]})
+    assert case.with_(bearing__rows=[{"position": 0.0}]) == one
+    count = next(name for name in ("roller_count", "ball_count") if hasattr(case.bearing, name))
+    fewer = case.with_(bearing__rows=[{"position": 0.0, count: 9}])
+    assert [place.bearing.element_count for place in fewer.bearing.places] == [9]
+
+
 def test_rows_by_designation_are_those_bearings() -> None:
     rows = [
         {"designation": name, "position": f"{x} mm"} for name, x in (("6210", -20), ("6310", 20))

@@ -14,12 +14,10 @@ KEYS = {key for one in TYPES.values() for key in (one.key, one.grooves, one.elem
     BALL
 }
 """Whether balls or rollers roll is asked by name: the words for them differ."""
-FORMULAS = {"ratings/balls.py", "ratings/rollers.py", "life/equivalent_load.py",
-            "life/iso16281.py", "life/iso281_modified.py", "life/row_ratings.py"}  # fmt: skip
-"""ISO 281, ISO 76 and ISO/TS 16281 have formulas of their own for thrust and self-aligning ones."""
+FORMULAS = {"ratings/balls.py", "ratings/rollers.py"}
+"""ISO 281 and ISO 76 have formulas of their own for thrust and self-aligning ones."""
 OTHER_WORDS = {
     "case/hints.py": "a thrust is a force",
-    "catalogue/designation.py": "a tapered bore is no tapered bearing",
     "pages/speed.py": "a thrust is a force",
     "analysis/speed_limits.py": "a thrust is a force",
     "verification/standards.py": "a table of two rows",

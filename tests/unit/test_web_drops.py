@@ -336,7 +336,7 @@ def test_a_page_calls_options_as_it_labels_them() -> None:
     """Not as the commands do, whose notes it shows."""
     one_failure = b"time,status\n100,failed\n200,suspended\n"
     answer = drop(one_failure, "x.csv", kind="weibull", format="txt").text
-    assert "“Shape from experience” 1.5" in " ".join(answer.split())
+    assert "“Shape from experience” = 1.5" in " ".join(answer.split())
     assert " --" not in answer
 
 

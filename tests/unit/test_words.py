@@ -6,8 +6,10 @@ import gettext
 import importlib.util
 import json
 import pickle
+import re
 import sys
 from collections.abc import Iterator
+from functools import partial
 from math import nan, pi
 from pathlib import Path
 from threading import Barrier, Thread
@@ -15,7 +17,15 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from babel.messages.pofile import read_po
+from typer.main import get_command
 
+from rolamento import tasks
+from rolamento.case import Case, RollerBearing
+from rolamento.case.fields import fields_of
+from rolamento.cli.app import app
+from rolamento.cli.grouped_help import as_option
+from rolamento.web.form import as_labelled
 from rolamento.words import (
     Manner,
     Note,
@@ -29,8 +39,10 @@ from rolamento.words import (
     said,
     said_in,
     speaking,
+    spelling,
 )
 
+NAME = re.compile(r"`([^`]+)`")
 SPEAKING = sys.modules["rolamento.words.speaking"]
 ROOT = Path(__file__).parents[2]
 
@@ -324,3 +336,46 @@ class TestScript:
             allowed = scripts._places(message.id)
             wrong += [t for t in scripts._texts(message.string) if scripts._places(t) - allowed]
         assert not wrong
+
+
+def test_names_in_texts_are_spelled_by_whoever_says_them() -> None:
+    text = "give `speed`, such as `shape=1.5`, or `life.cleanliness` ({share:.2})"
+    assert said(text, share=0.25) == "give speed, such as shape=1.5, or life.cleanliness (0.25)"
+    with spelling(lambda name: f"<{name}>"):
+        assert said(text, share=0.25).startswith("give <speed>, such as <shape=1.5>, or <life.")
+        assert said("no name") == "no name"
+    assert said("`speed`") == "speed"
+
+
+def test_a_command_line_spells_names_as_its_options() -> None:
+    as_typed = partial(as_option, {"machine_class": "--class", "changes": "--set"})
+    assert as_typed("full_scale") == "--full-scale"
+    assert as_typed("machine_class") == "--class"
+    assert as_typed("changes") == "--set"
+    assert as_typed("scale='5 g'") == "--scale '5 g'"
+    assert as_typed("life.cleanliness") == "life.cleanliness"
+    assert as_typed("bearing.roller_count=N") == "--set bearing.roller_count=N"
+    assert as_typed("rolamento life") == "rolamento life"
+
+
+def test_a_page_spells_names_as_its_labels() -> None:
+    as_shown = partial(as_labelled, {"speed": "“Shaft speed”"})
+    assert as_shown("speed") == "“Shaft speed”"
+    assert as_shown("speed=5 rpm") == "“Shaft speed” = 5 rpm"
+    assert as_shown("slip") == "slip"
+
+
+def test_every_name_in_a_text_is_one_of_the_program() -> None:
+    """Of an input, a field of a case, or a command: no face could spell any other."""
+    with (SPEAKING.CATALOGUES / "pt_BR" / "LC_MESSAGES" / "rolamento.po").open("rb") as file:
+        texts = [one for message in read_po(file) for one in np.atleast_1d(message.id)]
+    named = {name.partition("=")[0] for text in texts for name in NAME.findall(text)}
+    requests = [one for one in map(tasks.__getattr__, tasks.__all__) if hasattr(one, "products")]
+    inputs = {"changes", "scheduler", "restart"}  # of a study's run
+    inputs |= {name for one in requests for name in (*one.inputs(), *one.products)}
+    rollers = (f"bearing.{name}" for name in fields_of(RollerBearing))
+    fields = {*Case.fields(), *rollers}
+    fields |= {field.rpartition(".")[0] for field in fields}
+    commands = {f"rolamento {name}" for name in get_command(app).commands}
+    assert len(named) > 60
+    assert named <= {*inputs, *fields, *commands, "rolamento catalogue show"}

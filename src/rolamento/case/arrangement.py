@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.profile import ProfileField
-from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
+from rolamento.case.quantity import Count, Line, Quantity, Replaces
 from rolamento.case.record import ByElement, Record, elements_of, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
 from rolamento.types import BALL, PLAIN_ROLLER, Ribs, RollerElement
@@ -57,7 +57,7 @@ _Phase = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 de
 _Offset = Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")]
 _Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
 _Diameter = Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")]
-_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
+_Conformity = Annotated[float, Quantity(at_least=0.501, at_most=1.0)]
 
 
 class _Row(Record):
@@ -220,10 +220,17 @@ def as_text(value: object) -> object:
     return value
 
 
+def designation_of(given: Any) -> str | None:
+    """The designation of a bearing or a row, as a record or as a table; None without one."""
+    told = given if isinstance(given, Mapping) else getattr(given, "__dict__", {})
+    designation = as_text(told.get("designation"))
+    return designation if isinstance(designation, str) else None
+
+
 def element_by_designation(given: Mapping[str, Any]) -> str | None:
     """What rolls in a table's designation; None where there is none, or the catalogue lacks it."""
-    designation = as_text(given.get("designation"))
-    if isinstance(designation, str):
+    designation = designation_of(given)
+    if designation is not None:
         from rolamento.catalogue import catalogue
 
         with suppress(InputError):
@@ -231,12 +238,16 @@ def element_by_designation(given: Mapping[str, Any]) -> str | None:
     return None
 
 
-def element_of_row(row: object) -> str:
-    """What rolls in a row, as a record or as a table that nobody has checked."""
+def element_of_row(row: object, of_bearing: str | None = None) -> str:
+    """What rolls in a row, as a record or as a table that nobody has checked.
+
+    of_bearing: what rolls in its bearing, if that is said; balls otherwise.
+    """
     if not isinstance(row, Mapping):
         return str(getattr(row, "element", BALL))
-    told = element_by_designation(row) if "element" not in row else None
-    return str(row.get("element", told or BALL))
+    if "element" in row:
+        return str(row["element"])
+    return element_by_designation(row) or of_bearing or BALL
 
 
 RowOfElements = Annotated[BallRow | RollerRow, ByElement(element_by_designation)]
@@ -346,13 +357,9 @@ class Preload(Record):
         return listed_preload(self.designation, self.level, contact_angle)
 
 
-def _table_of(value: object) -> object:
-    return Preload.table_of_text(value) if isinstance(value, str) else value
-
-
 PreloadField = Annotated[
     Preload,
-    BeforeValidator(_table_of, json_schema_input_type=Preload | str),
+    BeforeValidator(Preload.text_or_table, json_schema_input_type=Preload | str),
     Field(description="a table, a force or an offset"),
 ]
 """Annotation of a field that takes a preload, its table, or the force or offset as text."""

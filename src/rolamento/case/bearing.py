@@ -19,25 +19,25 @@ from rolamento.case.arrangement import (
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
 from rolamento.case.parameters import BallParameters, Rule
-from rolamento.case.quantity import Quantity, Ratio, Replaces
+from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
+    RULES_OF_THE_CIRCLE,
     Designation,
     RollingBearing,
     RowPlace,
-    elements_fit,
     rows_about_centre,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, ring_geometry, sphere_conformity
-from rolamento.types import BearingType, Grooves, of_balls, of_grooves
+from rolamento.types import BALL, BearingType, Grooves, of_balls, type_of_element
 from rolamento.units import from_si, readable
 from rolamento.words import said
 
 __all__ = ["Bearing", "RowPlace", "ball_bearing", "clearance_fits"]
 
-_Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
+_Conformity = Annotated[float, Quantity(at_least=0.501, at_most=1.0, varies=True)]
 
 LEAST_THRUST_ANGLE: Final = math.radians(45.0)
 
@@ -58,7 +58,13 @@ def _required_unless_told(schema: dict[str, Any]) -> None:
 def _grooves_of(told: Mapping[str, Any]) -> BearingType | None:
     """The type of grooves that a table names; None of plain ones, and of what nobody knows."""
     kind = told.get("kind")
-    return of_grooves(str(kind)) if kind in get_args(Grooves) else None
+    return type_of_element(BALL, str(kind)) if kind in get_args(Grooves) else None
+
+
+def _right_angle_of_washers(told: dict[str, Any]) -> float | None:
+    """The contact angle that nobody gives: of a thrust bearing."""
+    grooves = _grooves_of(told)
+    return 0.5 * math.pi if grooves is not None and grooves.washers else None
 
 
 def _sphere_if_any(told: dict[str, Any]) -> float:
@@ -71,35 +77,6 @@ def _sphere_if_any(told: dict[str, Any]) -> float:
         return math.nan
     tangent = math.tan(angle) if angle is not None else spacing / told["pitch_diameter"]
     return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
-
-
-def _too_small_a_circle(bearing: "Bearing") -> InputError:
-    return InputError(
-        said(
-            "must be greater than the ball diameter, {ball_diameter}",
-            ball_diameter=readable(bearing.ball_diameter, "length"),
-        ),
-        field="pitch_diameter",
-        value=readable(bearing.pitch_diameter, "length"),
-        example='pitch_diameter = "125.26 mm"',
-    )
-
-
-def _too_many_balls(bearing: "Bearing") -> InputError:
-    """Neighbouring balls touch when D = d_m sin(π/Z)."""
-    room = math.floor(math.pi / math.asin(bearing.ball_diameter / bearing.pitch_diameter))
-    return InputError(
-        said(
-            "balls of {ball_diameter} do not fit on a pitch circle of "
-            "{pitch_diameter}: there is room for {room}",
-            ball_diameter=readable(bearing.ball_diameter, "length"),
-            pitch_diameter=readable(bearing.pitch_diameter, "length"),
-            room=room,
-        ),
-        field="ball_count",
-        value=bearing.ball_count,
-        example=f"ball_count = {room}" if room >= 3 else "",
-    )
 
 
 def _angle_within(bearing: Any) -> Any:
@@ -176,10 +153,7 @@ def _shoulder_rule(name: str) -> Rule:
 
 
 _RULES: Final = (
-    Rule(lambda b: b.pitch_diameter > b.ball_diameter, _too_small_a_circle),
-    Rule(
-        lambda b: elements_fit(b.element_count, b.ball_diameter, b.pitch_diameter), _too_many_balls
-    ),
+    *RULES_OF_THE_CIRCLE,
     Rule(_angle_within, _angle_beyond),
     Rule(_elastic_play, _play_beyond),
     _shoulder_rule("inner_shoulder_height"),
@@ -254,21 +228,11 @@ class Bearing(RollingBearing):
 
     model_config = ConfigDict(json_schema_extra=_required_unless_told)
 
-    FILLED_IN: ClassVar = {
-        "ball_count": None,
-        "ball_diameter": "length",
-        "pitch_diameter": "length",
-        "inner_conformity": None,
-        "outer_conformity": None,
-        "contact_angle": "angle",
-        "diametral_clearance": "length",
-        "kind": None,
-        "shim_angle": "angle",
-        "arrangement": None,
-        "spacing": "length",
-        "ball_material": None,
-        "preload": None,
-    }
+    FILLED_IN: ClassVar = (
+        "ball_count", "ball_diameter", "pitch_diameter", "inner_conformity", "outer_conformity",
+        "contact_angle", "diametral_clearance", "kind", "shim_angle", "arrangement", "spacing",
+        "ball_material", "preload",
+    )  # fmt: skip
     VARIES: ClassVar = (
         "ball_diameter",
         "pitch_diameter",
@@ -282,6 +246,7 @@ class Bearing(RollingBearing):
     INSIDE: ClassVar = ("ball_count", "ball_diameter", "pitch_diameter")
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
     RIVALS: ClassVar = PLAY
+    ROLLS: ClassVar = BALL
     MATERIAL: ClassVar = "ball_material"
     ROW: ClassVar = BallRow
     PARAMETERS: ClassVar = BallParameters
@@ -302,7 +267,7 @@ class Bearing(RollingBearing):
     contact_angle: Annotated[
         Annotated[float, Quantity("angle", at_least="0 deg", at_most="90 deg", varies=True)] | None,
         Replaces("diametral_clearance"),
-    ] = Field(None, examples=["40 deg"])
+    ] = Field(default_factory=_right_angle_of_washers, examples=["40 deg"])
     diametral_clearance: Annotated[
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None,
         Replaces("contact_angle"),
@@ -332,23 +297,8 @@ class Bearing(RollingBearing):
     def bearing_type(self) -> BearingType:
         """By its grooves, else by its contact angle."""
         if self.kind is not None:
-            return of_grooves(self.kind)
+            return type_of_element(BALL, self.kind)
         return of_balls(angled=self.contact_angle is not None)
-
-    @property
-    def element_count(self) -> int:
-        """Z, balls in the row."""
-        return self.ball_count
-
-    @property
-    def element_diameter(self) -> float:
-        """D of a ball; m."""
-        return self.ball_diameter
-
-    @property
-    def element_material(self) -> Material:
-        """Material of the balls."""
-        return self.ball_material
 
     def _rows_by_kind(self) -> tuple[RowPlace, ...]:
         """Rows of contacts, each as it would be alone: one groove a ring, at its own angle.
@@ -380,15 +330,10 @@ class Bearing(RollingBearing):
         return self.row_angle if self.bearing_type.washers else 0.0
 
     @classmethod
-    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
-        """A thrust bearing is one of 90°, and the sphere of a self-aligning one follows."""
-        merged = {**given, **found}
-        grooves = _grooves_of(merged)
-        if grooves is None:
-            return
-        if grooves.washers and merged.get("contact_angle") is None:
-            found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
-        if grooves.aligns:
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any]) -> None:
+        """The sphere of a self-aligning bearing follows."""
+        grooves = _grooves_of({**given, **found})
+        if grooves is not None and grooves.aligns:
             found.pop("outer_conformity", None)
 
     @property

@@ -2,16 +2,16 @@
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from math import isclose
 from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
+from rolamento.case.arrangement import designation_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES, Duty
 from rolamento.case.electrical import Electrical
-from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
+from rolamento.case.fields import Changes, changed, fields_of, read_changed, values_of
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
 from rolamento.case.grease import Grease
@@ -21,7 +21,7 @@ from rolamento.case.losses import Losses
 from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
-from rolamento.case.quantity import Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
 from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
@@ -41,7 +41,7 @@ from rolamento.io.text import (
     text_of_mapping,
 )
 from rolamento.io.writing import write_mapping
-from rolamento.units import from_si, readable, to_si
+from rolamento.units import readable, to_si
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ class Case(Record):
         examples=["[bearing] as a table"]
     )
     duty: Duty = Field(examples=["[duty] as a table"])
-    model: Model = Field(default_factory=Model)
+    model: Model = Field(default_factory=Model.model_construct)
     lubricant: LubricantField | None = Field(None, examples=["ISO VG 68"])
     surface: Surface | None = Field(None, examples=["[surface] as a table"])
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
@@ -146,10 +146,15 @@ class Case(Record):
         """Fill in sizes that a designation gives, and pass it the ratings that are given."""
         if not isinstance(given, Mapping):
             return handler(given)
-        if isinstance(given.get("bearing"), str) and not at_the_border(info.context):
+        if isinstance(given.get("bearing"), str) and info.context != AT_THE_BORDER:
             given = {"duty": Duty(), **given, "bearing": {"designation": given["bearing"]}}
-        with _known(_rated_bearing(given)):
-            filled = dict(_with_catalogue_sizes(given, in_file=at_the_border(info.context)))
+        designation = designation_of(given.get("bearing"))
+        if designation is None:
+            return handler(given)
+        from rolamento.catalogue import listed
+
+        with listed(_rated_bearing(given, designation)):
+            filled = _with_catalogue_sizes(given, designation)
             bearing = filled.get("bearing")
             if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
                 filled["bearing"] = bearing.looked_up_again()
@@ -181,12 +186,8 @@ class Case(Record):
         InputError
             If there is no such field, it is given twice, or the result is not valid.
         """
-        given = _full_names(values or {})
-        for key, value in nested.items():
-            name = SHORT_NAMES.get(key, key.replace("__", "."))
-            if name in given:
-                raise InputError(said("is given twice"), field=name)
-            given[name] = value
+        dotted = ((key.replace("__", "."), value) for key, value in nested.items())
+        given = _full_names([*(values or {}).items(), *dotted])
         with self.bearing.looked_up():
             return Case.from_mapping(changed(self._own_mapping(given), given, Case))
 
@@ -205,10 +206,9 @@ class Case(Record):
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:
         """A ring does not move by a ball: such a value has the wrong unit."""
-        limit = self.bearing.element_diameter
         for axis in ("x", "y", "z"):
             shift = getattr(self.duty.displacement, axis)
-            if shift is not None and abs(shift) > limit:
+            if shift is not None and abs(shift) > (limit := self.bearing.element_diameter):
                 longest = readable(limit, "length")
                 raise InputError(
                     said("must be at most the ball diameter, {limit}", limit=longest)
@@ -286,7 +286,7 @@ class Case(Record):
         if bearing.kind is not None and control not in allowed:
             raise InputError(
                 said(
-                    'must be one of {allowed} with bearing.kind = "{kind}"',
+                    'must be one of {allowed} with `bearing.kind` = "{kind}"',
                     allowed=", ".join(allowed),
                     kind=bearing.kind,
                 ),
@@ -297,8 +297,8 @@ class Case(Record):
         if bearing.kind is not None and of.with_cage_only and model.cage == "none":
             raise InputError(
                 said(
-                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
-                    " cage",
+                    'must be loose or rigid with `bearing.kind` = "{kind}": the balls orbit with'
+                    " the cage",
                     kind=bearing.kind,
                 ),
                 field="model.cage",
@@ -602,64 +602,47 @@ def case_to_json(case: Case) -> str:
     return text_of_mapping(case.to_mapping(), "json")
 
 
-def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping[str, Any]:
+def _with_catalogue_sizes(given: Mapping[str, Any], designation: str) -> dict[str, Any]:
     """Return the tables of a case with the sizes that they need and the catalogue gives.
 
     Parameters
     ----------
     given
         The fields of a case: tables or records.
-    in_file
-        Whether quantities are text with units.
+    designation
+        Of its bearing.
     """
     missing = {
         name: [size for size in _SIZES if size not in table]
         for name in ("mounting", "film")
         if isinstance(table := given.get(name), Mapping) and _needs_sizes(name, table)
     }
-    if not any(missing.values()):
-        return given
-    sizes = _sizes_of(given.get("bearing"))
-    if not sizes:
-        return given
     filled = dict(given)
+    sizes = _sizes_of(given.get("bearing"), designation) if any(missing.values()) else {}
+    if not sizes:
+        return filled
     for name, names in missing.items():
-        own = {size: from_si(sizes[size], "length") if in_file else sizes[size] for size in names}
+        own = {size: InSI(sizes[size]) for size in names}
         filled[name] = {**given[name], **own}
     return filled
 
 
-def _rated_bearing(given: Mapping[str, Any]) -> "Sequence[CatalogueBearing]":
+def _rated_bearing(given: Mapping[str, Any], designation: str) -> "Sequence[CatalogueBearing]":
     """Return the bearing of the designation with the ratings of the life table, where it has none.
 
     Nothing of what is wrong: others refuse it.
     """
     bearing, life = given.get("bearing"), given.get("life")
+    told = life if isinstance(life, Mapping) else getattr(life, "__dict__", {})
     if isinstance(bearing, RollingBearing) and not bearing.from_given_ratings:
         return ()  # it knows its balls
-    designation = _designation_of(bearing)
-    if designation is None:
-        return ()
     from rolamento.catalogue import with_ratings
 
-    ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]
+    ratings = [_force(told.get(name)) for name in ("dynamic_rating", "static_rating")]
     try:
         return with_ratings(designation, *ratings)
     except InputError:
         return ()
-
-
-def _known(rated: "Sequence[CatalogueBearing]") -> AbstractContextManager[object]:
-    """Look up designations among some bearings too; the catalogue is not read for none."""
-    if not rated:
-        return nullcontext()
-    from rolamento.catalogue import listed
-
-    return listed(rated)
-
-
-def _entry(table: Any, name: str) -> Any:
-    return table.get(name) if isinstance(table, Mapping) else getattr(table, name, None)
 
 
 def _force(value: Any) -> float | None:
@@ -672,35 +655,25 @@ def _force(value: Any) -> float | None:
     return float(found) if is_number and 0.0 < found < _MOST_FORCE else None
 
 
-def _designation_of(bearing: Any) -> str | None:
-    designation = _entry(bearing, "designation")
-    if isinstance(designation, int) and not isinstance(designation, bool):
-        return str(designation)
-    return designation if isinstance(designation, str) else None
-
-
 def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
     return name == "mounting" or table.get("starvation") == "replenishment"
 
 
-def _sizes_of(bearing: Any) -> dict[str, float]:
+def _sizes_of(bearing: Any, designation: str) -> dict[str, float]:
     """What the catalogue gives; nothing of what is no designation, which others refuse."""
-    if isinstance(bearing, Bearing):
+    if isinstance(bearing, RollingBearing):
         known = bearing.published
-        return {} if known is None else {name: getattr(known, name) for name in _SIZES}
-    designation = _designation_of(bearing) if isinstance(bearing, Mapping) else None
-    if designation is None:
-        return {}
-    from rolamento.catalogue import catalogue
+    else:
+        from rolamento.catalogue import catalogue
 
-    try:
-        found = catalogue().find(designation).bearing
-    except InputError:
-        return {}
-    return {name: getattr(found, name) for name in _SIZES}
+        try:
+            known = catalogue().find(designation).bearing
+        except InputError:
+            return {}
+    return {name: getattr(known, name) for name in _SIZES}
 
 
-def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
+def _full_names(changes: Iterable[tuple[str, Any]]) -> dict[str, Any]:
     """Values by the dotted names of fields, of which the duty's may have been given by short ones.
 
     Raises
@@ -709,7 +682,7 @@ def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
         If one is given twice.
     """
     found: dict[str, Any] = {}
-    for key, value in changes.items():
+    for key, value in changes:
         name = SHORT_NAMES.get(key, key)
         if name in found:
             raise InputError(said("is given twice"), field=name)
@@ -719,15 +692,9 @@ def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
 
 def _case_from(mapping: Mapping[str, Any], changes: Changes, otherwise: Iterable[str] = ()) -> Case:
     lacking = [one for one in otherwise if one.partition(".")[0] not in mapping]
-    tables, _ = overridden(mapping, lacking, Case)
-    changes = _full_names(changes) if isinstance(changes, Mapping) else changes
-    tables, fields = overridden(tables, changes, Case)
-    try:
-        return Case.from_mapping(tables)
-    except InputError as error:
-        by_option = not isinstance(changes, Mapping)
-        if by_option and any(
-            error.field == one or error.field.startswith(f"{one}.") for one in fields
-        ):
-            raise error.with_details(source=OVERRIDE_SOURCE) from None
-        raise
+    if lacking:
+        mapping = changed(mapping, values_of(lacking, Case), Case, in_file=True)
+    if not changes:
+        return Case.from_mapping(mapping)
+    changes = _full_names(changes.items()) if isinstance(changes, Mapping) else changes
+    return read_changed(mapping, changes, Case)

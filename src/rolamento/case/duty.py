@@ -146,8 +146,8 @@ class Duty(Record):
     inner_speed: _Speed = Field(0.0, examples=["10000 rpm"])
     outer_speed: _Speed = Field(0.0, examples=["10000 rpm"])
     first_ball_azimuth: _Azimuth = Field(0.0, examples=["11.25 deg"])
-    load: Load = Field(default_factory=Load)
-    displacement: Displacement = Field(default_factory=Displacement)
+    load: Load = Field(default_factory=Load.model_construct)
+    displacement: Displacement = Field(default_factory=Displacement.model_construct)
     oscillation: Oscillation | None = Field(None, examples=["[duty.oscillation] as a table"])
 
     @model_validator(mode="after")

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 
 __all__ = ["Electrical"]
@@ -36,7 +36,9 @@ class Electrical(Record):
     current: (
         Annotated[float, Quantity("electric_current", at_least="0 A", at_most="1e6 A")] | None
     ) = Field(None, examples=["0.5 A"])
-    permittivity: Annotated[float, Ratio(at_least=1.0, at_most=100.0)] | None = Field(
+    permittivity: Annotated[float, Quantity(at_least=1.0, at_most=100.0)] | None = Field(
         None, examples=[2.2]
     )
-    outside_factor: Annotated[float, Ratio(at_least=1.0, at_most=10.0)] = Field(2.0, examples=[2.0])
+    outside_factor: Annotated[float, Quantity(at_least=1.0, at_most=10.0)] = Field(
+        2.0, examples=[2.0]
+    )

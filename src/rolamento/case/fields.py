@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from functools import cache, cached_property, lru_cache
-from typing import Any, Final, Literal, NamedTuple, get_args, get_origin
+from typing import Any, Final, Literal, NamedTuple, TypeVar, get_args, get_origin
 
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
@@ -18,7 +18,7 @@ from pydantic.fields import FieldInfo
 from rolamento.case.former import current
 from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import AT_THE_BORDER, Quantity
 from rolamento.case.record import (
     Record,
     example_of,
@@ -46,8 +46,8 @@ __all__ = [
     "in_file_form",
     "inline_value",
     "of_elements",
-    "overridden",
     "plain_value",
+    "read_changed",
     "values_of",
 ]
 
@@ -62,6 +62,7 @@ _OF_ROLLERS: Final = frozenset({"model.roller_contact", "model.slices", "film.li
 Value = float | int | bool | str
 """What a field takes: SI floats of quantities, and what files hold of the others."""
 
+R = TypeVar("R", bound=Record)
 Kind = Literal["number", "count", "switch", "text", "list"]
 
 _EXAMPLE: Final = 'duty.load.fz="10 kN"'
@@ -95,8 +96,8 @@ class Field:
         return "number" if self.bounds is not None else _kind_of(self._info)
 
     @cached_property
-    def bounds(self) -> Quantity | Ratio | None:
-        """The `Quantity` or `Ratio` of a number."""
+    def bounds(self) -> Quantity | None:
+        """The `Quantity` of a number."""
         return _bounds_in(self._info)
 
     @property
@@ -107,7 +108,7 @@ class Field:
     @property
     def dimension(self) -> Dimension | None:
         """Dimension of a quantity; None of anything else."""
-        return self.bounds.dimension if isinstance(self.bounds, Quantity) else None
+        return None if self.bounds is None else self.bounds.dimension
 
     @property
     def continuous(self) -> bool:
@@ -322,16 +323,16 @@ def _choices_in(annotation: object) -> Iterator[str]:
             yield from _choices_in(part)
 
 
-def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
+def _bounds_in(info: FieldInfo) -> Quantity | None:
     """The annotation that bounds a number; None of a list of them."""
     if _is_list(info):
         return None
     return next(_numbers_in((*info.metadata, info.annotation)), None)
 
 
-def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity | Ratio]:
+def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity]:
     for part in parts:
-        if isinstance(part, Quantity | Ratio):
+        if isinstance(part, Quantity):
             yield part
         yield from _numbers_in((*getattr(part, "__metadata__", ()), *get_args(part)))
 
@@ -344,10 +345,8 @@ Changes = Mapping[str, Any] | Iterable[str]
 or ``KEY=VALUE``, as a command's options have it."""
 
 
-def overridden(
-    mapping: Mapping[str, Any], changes: Changes, record: type[Record]
-) -> tuple[dict[str, Any], frozenset[str]]:
-    """Return a copy of tables with changes applied, and the fields that they set.
+def read_changed(mapping: Mapping[str, Any], changes: Changes, record: type[R]) -> R:
+    """Return the record that tables describe, with changes put over them.
 
     Parameters
     ----------
@@ -361,21 +360,28 @@ def overridden(
     Raises
     ------
     InputError
-        If a text is not of that form, or a key names no field.
+        If a text is not of that form, a key names no field, or the record is not valid. What a
+        text sets has its source, ``--set``.
     """
     if isinstance(changes, Mapping):
-        return changed(mapping, changes, record), frozenset(map(current, changes))
+        return record.from_mapping(changed(mapping, changes, record))
     try:
         values = values_of(changes, record)
-        return changed(mapping, values, record, in_file=True), frozenset(values)
+        tables = changed(mapping, values, record, in_file=True)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+    try:
+        return record.from_mapping(tables)
+    except InputError as error:
+        if any(f"{error.field}.".startswith(f"{one}.") for one in values):
+            raise error.with_details(source=OVERRIDE_SOURCE) from None
+        raise
 
 
 def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object]:
     """Return what settings set: values as a file holds them, by dotted name.
 
-    Parameters and errors as of `overridden`.
+    Parameters and errors as of `read_changed`.
     """
     values: dict[str, object] = {}
     for setting in settings:
@@ -458,8 +464,9 @@ def in_file_form(name: str, value: Any, record: type[Record]) -> object:
 
 
 def _mapping_of(value: object, record: type[Record] | None) -> object:
-    if isinstance(value, Mapping) and record is not None:
-        value = record(**value)
+    if isinstance(value, Mapping) and record is not None:  # what it leaves unsaid stays so
+        read = record(**value)
+        return read.model_dump(context=AT_THE_BORDER, exclude_none=True, exclude_unset=True)
     return value.to_mapping() if isinstance(value, Record) else value
 
 

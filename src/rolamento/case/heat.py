@@ -4,7 +4,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from rolamento.case.quantity import Line, Quantity, Ratio
+from rolamento.case.quantity import Line, Quantity
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.units import readable
@@ -21,7 +21,7 @@ _Celsius = Annotated[float, Quantity("temperature", at_least="-100 degC", at_mos
 _Power = Annotated[float, Quantity("power", at_least="-1000 kW", at_most="1000 kW")]
 _Size = Annotated[float, Quantity("length", above="0 mm", at_most="20 m")]
 _Capacity = Annotated[float, Quantity("heat_capacity", above="0 J/K", at_most="1e9 J/K")]
-_Factor = Annotated[float, Ratio(at_least=0.0, at_most=100.0)]
+_Factor = Annotated[float, Quantity(at_least=0.0, at_most=100.0)]
 
 
 class HeatStep(Record):
@@ -113,7 +113,7 @@ class Heat(Record):
     oil_inlet: _Celsius | None = Field(None, examples=["40 degC"])
     shaft_heat: _Power = Field(0.0, examples=["20 W"])
     housing_heat: _Power = Field(0.0, examples=["0 W"])
-    inner_share: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.5, examples=[0.5])
+    inner_share: Annotated[float, Quantity(at_least=0.0, at_most=1.0)] = Field(0.5, examples=[0.5])
     friction: HeatFriction = Field("contacts", examples=["palmgren"])
     limit: _Celsius = Field(423.15, examples=["150 degC"])
     bore: _Size | None = Field(None, examples=["40 mm"])

@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final, Literal
 
-from rolamento.errors import ABSENT, FileError, InputError, guess
-from rolamento.io.columns import folded_name, title_parts
-from rolamento.io.tables import Table, parse_table, table_text
+from rolamento.errors import ABSENT, InputError, guess
+from rolamento.io.tables import Table, read_columns
 from rolamento.records import frozen
 from rolamento.units import Dimension, to_si
 from rolamento.words import said
@@ -35,9 +34,6 @@ _COLUMNS: Final = {
     "displacement": "displacement displacement_unit deslocamento",
     "force": "force force_unit força",
     "bearing": "bearing rolamento lager",
-}
-_COLUMN_OF: Final = {
-    folded_name(word): column for column, words in _COLUMNS.items() for word in words.split()
 }
 _DIRECTIONS: Final = {
     word: axis
@@ -133,28 +129,11 @@ def nodes_in_file(path: str) -> tuple[list[dict[str, str]], Table]:
     FileError
         If it is no such table.
     """
-    text, source = table_text(path)
-    table = parse_table(
-        text,
-        source,
-        most_rows=MOST_ROWS,
-        example=_EXAMPLE,
-        is_header=lambda cells: any(folded_name(cell) in _COLUMN_OF for cell in cells),
+    table, places = read_columns(
+        path, _COLUMNS, ("node", "dof", "bearing"), most_rows=MOST_ROWS, example=_EXAMPLE
     )
-    places: dict[str, int] = {}
-    for place, title in enumerate(table.header):
-        column = _COLUMN_OF.get(folded_name(title_parts(title)[0]))
-        if column is None:
-            rule = said("is an unknown column; {guess}", guess=guess(folded_name(title), _COLUMNS))
-            raise table.placed(FileError(rule, field=title, example=_EXAMPLE))
-        if column in places:
-            raise table.placed(FileError(said("is given twice"), field=title, example=_EXAMPLE))
-        places[column] = place
-    for column in ("node", "dof", "bearing"):
-        if column not in places:
-            raise table.placed(FileError(said("is missing"), field=column, example=_EXAMPLE))
     rows = [
-        {column: row[place].strip() for column, place in places.items() if row[place].strip()}
+        {column: cell for column, (place, _) in places.items() if (cell := row[place].strip())}
         for row in table.rows
     ]
     return rows, table

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Final, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from rolamento.case.former import with_current_names
-from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
+from rolamento.case.quantity import Line, Quantity, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError, guess, phrase
 from rolamento.io.columns import folded_name
@@ -34,8 +34,8 @@ CONTAMINATION_FIELDS: Final = ("contamination", "cleanliness", "filter_size", "g
 """Ways to say how dirty the lubricant is: a case takes one of them."""
 
 _Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N", varies=True)]
-_Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0, varies=True)]
-_TallianFactor = Annotated[float, Ratio(above=0.0, at_most=1e300)]
+_Factor = Annotated[float, Quantity(above=0.0, at_most=1000.0, varies=True)]
+_TallianFactor = Annotated[float, Quantity(above=0.0, at_most=1e300)]
 
 
 def _level(word: object) -> object:
@@ -90,7 +90,7 @@ class TallianFactors(Record):
     defect_density: _TallianFactor = Field(1.0, examples=[0.5])
     failure_rate: _TallianFactor | None = Field(None, examples=[1.0])
     pressure_distribution: _TallianFactor | None = Field(None, examples=[1.0])
-    exponent: Annotated[float, Ratio(at_least=0.1, at_most=10.0)] = Field(
+    exponent: Annotated[float, Quantity(at_least=0.1, at_most=10.0)] = Field(
         10.0 / 9.0, examples=[1.11]
     )
 
@@ -173,7 +173,7 @@ class LifeModel(Record):
     def _current_names(cls, given: Any) -> Any:
         return with_current_names(given, {"wanted_life": "required_life"})
 
-    reliability: Annotated[float, Ratio(at_least=0.01, at_most=0.999999)] = Field(
+    reliability: Annotated[float, Quantity(at_least=0.01, at_most=0.999999)] = Field(
         0.9, examples=[0.95]
     )
     required_life: Annotated[float, Quantity("time", above="0 h", at_most="1e9 h")] | None = Field(
@@ -184,7 +184,7 @@ class LifeModel(Record):
     fatigue_load_limit: _Rating | None = Field(None, examples=["475 N"])
     fatigue_load_method: Literal["contacts", "estimate"] | None = Field(None, examples=["contacts"])
     contamination: Annotated[
-        Annotated[float, Ratio(at_least=0.0, at_most=1.0, varies=True)] | None,
+        Annotated[float, Quantity(at_least=0.0, at_most=1.0, varies=True)] | None,
         Replaces(*CONTAMINATION_FIELDS, "oil_supply", "filter_ratio"),
     ] = Field(None, examples=[0.5])
     cleanliness: Annotated[
@@ -196,7 +196,7 @@ class LifeModel(Record):
         Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None,
         Replaces(*CONTAMINATION_FIELDS, "oil_supply"),
     ] = Field(None, examples=["12 um"])
-    filter_ratio: Annotated[float, Ratio(above=1.0, at_most=1e6)] | None = Field(
+    filter_ratio: Annotated[float, Quantity(above=1.0, at_most=1e6)] | None = Field(
         None, examples=[200]
     )
     grease_cleanliness: Annotated[
@@ -205,7 +205,7 @@ class LifeModel(Record):
         Replaces(*CONTAMINATION_FIELDS, "oil_supply", "filter_ratio"),
     ] = Field(None, examples=["normal"])
     additives: bool = Field(False, strict=True, examples=[False])
-    viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6, varies=True)] | None = Field(
+    viscosity_ratio: Annotated[float, Quantity(above=0.0, at_most=1e6, varies=True)] | None = Field(
         None, examples=[1.5]
     )
     rotating_load: bool = Field(False, strict=True, examples=[True])
@@ -216,7 +216,7 @@ class LifeModel(Record):
         float, Quantity("stress", at_least="0 Pa", at_most="100 GPa", varies=True)
     ] = Field(374e6, examples=["374 MPa"])
     depth: Literal["local", "mean"] = Field("local", examples=["local"])
-    nsk_cleanliness: Annotated[float, Ratio(at_least=0.05, at_most=1.0, varies=True)] | None = (
+    nsk_cleanliness: Annotated[float, Quantity(at_least=0.05, at_most=1.0, varies=True)] | None = (
         Field(None, examples=[0.8])
     )
     tallian_subsurface: TallianFactors | None = None

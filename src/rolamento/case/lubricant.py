@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple, Self
 from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.named import NamedRecord
-from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
+from rolamento.case.quantity import Line, Quantity, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError, phrase
 from rolamento.io.data import toml_of
@@ -132,7 +132,7 @@ class Lubricant(NamedRecord):
         None, examples=["8.6 mm^2/s"]
     )
     viscosity_index: Annotated[
-        Annotated[float, Ratio(at_least=-60.0, at_most=400.0)] | None, Replaces("viscosity_100")
+        Annotated[float, Quantity(at_least=-60.0, at_most=400.0)] | None, Replaces("viscosity_100")
     ] = Field(None, examples=[95])
     viscosities: Annotated[tuple[ViscosityPoint, ...] | None, Replaces(*_WAYS, *_HOT)] = Field(
         None, min_length=2, max_length=2, examples=[_TWO_POINTS]
@@ -162,7 +162,7 @@ class Lubricant(NamedRecord):
     minimum_temperature: _Temperature | None = Field(None, examples=["-20 degC"])
     maximum_temperature: _Temperature | None = Field(None, examples=["120 degC"])
     oil_type: OilType | None = Field(None, examples=["synthetic"])
-    friction_coefficient: Annotated[float, Ratio(above=0.0, at_most=1.0, varies=True)] | None = (
+    friction_coefficient: Annotated[float, Quantity(above=0.0, at_most=1.0, varies=True)] | None = (
         Field(None, examples=[0.17])
     )
     source: Line = Field("", repr=False, examples=["maker's data sheet"])

@@ -76,7 +76,7 @@ from rolamento.case.machine_loads import (
 from rolamento.case.machine_sheets import holds_sheets, read_sheets
 from rolamento.case.material import Material
 from rolamento.case.model import Model
-from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Ratio, Replaces, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Replaces
 from rolamento.case.record import Record
 from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
@@ -140,7 +140,7 @@ _SPACERS: Final = ("inner_spacer", "outer_spacer")
 
 _Diameter = Annotated[float, Quantity("length", above="0 mm", at_most="20 m", varies=True)]
 _Bore = Annotated[float, Quantity("length", at_least="0 mm", at_most="20 m", varies=True)]
-_Factor = Annotated[float, Ratio(at_least=-100.0, at_most=100.0)]
+_Factor = Annotated[float, Quantity(at_least=-100.0, at_most=100.0)]
 
 
 # --- shafts ---------------------------------------------------------------------------------------
@@ -160,7 +160,7 @@ def _shaft_material(value: object) -> object:
 def _written_material(
     material: Material, handler: SerializerFunctionWrapHandler, info: SerializationInfo
 ) -> Any:
-    if at_the_border(info.context) and material == SHAFT_STEEL:
+    if info.context == AT_THE_BORDER and material == SHAFT_STEEL:
         return SHAFT_STEEL.name
     return handler(material)
 
@@ -271,7 +271,7 @@ class Shaft(Record):
     )
     speed: Annotated[Speed, Replaces("ratio", "of")] = Field(0.0, examples=["1480 rpm"])
     ratio: Annotated[
-        Annotated[float, Ratio(at_least=-1000.0, at_most=1000.0, varies=True)] | None,
+        Annotated[float, Quantity(at_least=-1000.0, at_most=1000.0, varies=True)] | None,
         Replaces("speed"),
     ] = Field(None, examples=[-0.4])
     of: Annotated[Name | None, Replaces("speed")] = Field(None, examples=["input shaft"])
@@ -439,7 +439,7 @@ def _with_stiffness(given: Any, info: ValidationInfo) -> Any:
     """Return the fields of an elastic part with its stiffness in SI."""
     if not isinstance(given, Mapping):
         return given
-    units, in_file = given.get("units"), at_the_border(info.context)
+    units, in_file = given.get("units"), info.context == AT_THE_BORDER
     if units is not None and not (isinstance(units, str) and units in _SCALES):
         return given  # which is refused
     result = dict(given)
@@ -783,7 +783,7 @@ class MachineBearing(Record):
         """Take the tables of a case, however they are given, as a file has them."""
         if not isinstance(given, Mapping):
             return given
-        in_file = at_the_border(info.context)
+        in_file = info.context == AT_THE_BORDER
         result = {name: value for name, value in given.items() if name != "case"}
         tables = _tables_of_case(given.get("case"), in_file=in_file)
         for name in CASE_TABLES:
@@ -912,7 +912,7 @@ class Step(Record):
     """
 
     name: Line = Field("", examples=["idling"])
-    share: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(examples=[0.25])
+    share: Annotated[float, Quantity(at_least=0.0, at_most=1.0)] = Field(examples=[0.25])
     speed_factor: _Factor = Field(1.0, examples=[0.5])
     load_factor: _Factor = Field(1.0, examples=[1.5])
 

@@ -17,8 +17,7 @@ from typing import Any, Final, NoReturn
 
 from rolamento.case.housing_nodes import MOST_ROWS, nodes_in_file, reduced_to_rings
 from rolamento.errors import ABSENT, FileError, InputError, guess
-from rolamento.io.columns import folded_name, title_parts
-from rolamento.io.tables import decoded, parse_table, separator_said, table_text
+from rolamento.io.tables import decoded, read_columns, separator_said
 from rolamento.io.text import (
     LineIndex,
     TextFormat,
@@ -57,9 +56,7 @@ _COLUMNS: Final = {
     "end_diameter": "end_diameter diameter_end diametro_final enddurchmesser",
     "end_bore": "end_bore bore_end furo_final",
 }
-_COLUMN_OF: Final = {
-    folded_name(word): column for column, words in _COLUMNS.items() for word in words.split()
-}
+_NEEDED: Final = ("length", "diameter")
 _PARTS: Final = re.compile(r"[;,\t ]+")
 
 
@@ -175,10 +172,6 @@ def _beside(name: str, folder: str | os.PathLike[str] | None, field: str) -> str
 # --- sections -------------------------------------------------------------------------------------
 
 
-def _column(title: str) -> str | None:
-    return _COLUMN_OF.get(folded_name(title_parts(title)[0]))
-
-
 def _sections(path: str) -> list[dict[str, str]]:
     """Read a table of sections, units in its header.
 
@@ -187,36 +180,18 @@ def _sections(path: str) -> list[dict[str, str]]:
     FileError
         If it is no such table.
     """
-    text, source = table_text(path)
-    table = parse_table(
-        text,
-        source,
-        most_rows=MOST_SECTIONS,
-        example=_EXAMPLE,
-        is_header=lambda cells: any(_column(cell) for cell in cells),
-    )
-    titles: dict[str, tuple[int, str]] = {}
-    for place, title in enumerate(table.header):
-        column, unit = _column(title), title_parts(title)[1]
-        if column is None:
-            rule = said("is an unknown column; {guess}", guess=guess(folded_name(title), _COLUMNS))
-            raise table.placed(FileError(rule, field=title, example=_EXAMPLE))
+    table, places = read_columns(path, _COLUMNS, _NEEDED, most_rows=MOST_SECTIONS, example=_EXAMPLE)
+    for place, unit in places.values():
         if not unit:
             rule = said("needs a unit in its heading")
-            raise table.placed(FileError(rule, field=title, example=_EXAMPLE))
-        if column in titles:
-            raise table.placed(FileError(said("is given twice"), field=title, example=_EXAMPLE))
-        titles[column] = place, unit
-    for column in ("length", "diameter"):
-        if column not in titles:
-            raise table.placed(FileError(said("is missing"), field=column, example=_EXAMPLE))
-    numerals = table.numerals([place for place, _ in titles.values()], argument=False)
+            raise table.placed(FileError(rule, field=table.header[place], example=_EXAMPLE))
+    numerals = table.numerals([place for place, _ in places.values()], argument=False)
     found = []
     for index, row in enumerate(table.rows):
         section = {}
-        for column, (place, unit) in titles.items():
+        for column, (place, unit) in places.items():
             cell = row[place]
-            if not cell and column not in ("length", "diameter"):
+            if not cell and column not in _NEEDED:
                 continue
             number = numerals.plain(cell)
             if number is None:

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Final, Literal, NamedTuple, Self
 
 from pydantic import AfterValidator, Field, model_validator
 
-from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
+from rolamento.case.quantity import Count, Line, Quantity, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import ABSENT, InputError
 from rolamento.units import readable
@@ -224,9 +224,9 @@ class Gear(Record):
     lead_angle: (
         Annotated[float, Quantity("angle", above="0 deg", at_most="60 deg", varies=True)] | None
     ) = Field(None, examples=["10 deg"])
-    friction_coefficient: Annotated[float, Ratio(at_least=0.0, at_most=0.5, varies=True)] | None = (
-        Field(None, examples=[0.05])
-    )
+    friction_coefficient: (
+        Annotated[float, Quantity(at_least=0.0, at_most=0.5, varies=True)] | None
+    ) = Field(None, examples=[0.05])
     torque: Annotated[_Torque | None, Replaces("power")] = Field(None, examples=["250 N m"])
     power: Annotated[_Power | None, Replaces("torque")] = Field(None, examples=["30 kW"])
     mesh_azimuth: _Azimuth | None = Field(None, examples=["90 deg"])

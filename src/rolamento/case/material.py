@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Final
 from pydantic import BeforeValidator, Field
 
 from rolamento.case.named import NamedRecord
-from rolamento.case.quantity import Line, Quantity, Ratio
+from rolamento.case.quantity import Line, Quantity
 
 __all__ = ["DEFAULT_MATERIAL", "Material", "MaterialField"]
 
@@ -41,7 +41,7 @@ class Material(NamedRecord):
     youngs_modulus: Annotated[
         float, Quantity("stress", at_least="1 GPa", at_most="2000 GPa", varies=True)
     ] = Field(examples=["207 GPa"])
-    poisson_ratio: Annotated[float, Ratio(at_least=0.0, at_most=0.49, varies=True)] = Field(
+    poisson_ratio: Annotated[float, Quantity(at_least=0.0, at_most=0.49, varies=True)] = Field(
         examples=[0.3]
     )
     density: Annotated[

@@ -109,13 +109,8 @@ class Model(Record):
         return {name: value for name, value in fields.items() if name not in unsaid}
 
     @property
-    def needs_film(self) -> bool:
-        """Whether the lubricant film takes part in the balance of the balls."""
-        return self.film_field is not None
-
-    @property
     def film_field(self) -> str | None:
-        """The field that asks for it, for messages; None where none does."""
+        """The field that has the film take part in the balance of the balls; None of none."""
         if self.traction == "film":
             return "model.traction"
         return "model.film_in_contact" if self.film_in_contact else None

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal, Self
 from pydantic import BeforeValidator, ConfigDict, Field, model_validator
 
 from rolamento.case.named import NamedRecord
-from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
+from rolamento.case.quantity import Line, Quantity, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
 from rolamento.units import readable
@@ -53,7 +53,7 @@ class SeatMaterial(NamedRecord):
     youngs_modulus: Annotated[float, Quantity("stress", at_least="1 GPa", at_most="2000 GPa")] = (
         Field(examples=["70 GPa"])
     )
-    poisson_ratio: Annotated[float, Ratio(at_least=0.0, at_most=0.49)] = Field(examples=[0.33])
+    poisson_ratio: Annotated[float, Quantity(at_least=0.0, at_most=0.49)] = Field(examples=[0.33])
     density: Annotated[
         float, Quantity("density", at_least="100 kg/m^3", at_most="25000 kg/m^3")
     ] = Field(examples=["2700 kg/m^3"])

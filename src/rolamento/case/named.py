@@ -11,7 +11,7 @@ from pydantic import (
     model_serializer,
 )
 
-from rolamento.case.quantity import Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Line
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
 from rolamento.io.data import toml_of
@@ -98,7 +98,7 @@ class NamedRecord(Record):
     ) -> Any:
         """Write a record of the data file as its name, where a person reads."""
         table = _tables_by_name(type(self)).get(_folded(self.name))
-        if at_the_border(info.context) and table and _read(type(self), table["name"]) == self:
+        if info.context == AT_THE_BORDER and table and _read(type(self), table["name"]) == self:
             return self.name
         return handler(self)
 

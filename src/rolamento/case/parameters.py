@@ -41,6 +41,14 @@ class Elastic:
     poisson_ratio: Any
     density: Any
 
+    @classmethod
+    def of(cls, material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Self:
+        """Take them from a material, and from the arrays that vary one of that part."""
+        names = ("name", "youngs_modulus", "poisson_ratio", "density")
+        return cls(
+            *(arrays.get(f"bearing.{part}.{name}", getattr(material, name)) for name in names)
+        )
+
 
 @frozen(eq=False, kw_only=True)
 class Parameters:
@@ -148,9 +156,6 @@ class RollerParameters(Parameters):
         return shape.with_(roller_end_radius=usual_end_radius(*ends))
 
 
-_ELASTIC = ("name", "youngs_modulus", "poisson_ratio", "density")
-
-
 def parameters_of(
     bearing: RollingBearing,
     row: RollingBearing,
@@ -177,29 +182,15 @@ def parameters_of(
     }
     play = [name for name in row.RIVALS if name in given]
     ended = {name: None for name in row.RIVALS if play and name not in play}
-    rings, elements = _materials(row, own, arrays)
+    rings = Elastic.of(row.ring_material, "ring_material", arrays)
+    rolling = rings if row.elements_follow_rings else row.element_material
     made = {name: getattr(row, name) for name in (*row.VARIES, *row.STAYS)} | given | ended
     whole: Parameters = row.PARAMETERS(
         rules=row.RULES,
         bearing_type=row.bearing_type,
         element_count=row.element_count,
         ring_material=rings,
-        element_material=elements,
+        element_material=Elastic.of(rolling, row.MATERIAL, {} if row.MATERIAL in own else arrays),
         **made,
     )
     return whole.following(given, own | given.keys() | bearing.model_fields_set)
-
-
-def _materials(
-    row: RollingBearing, own: Container[str], arrays: Mapping[str, FloatArray]
-) -> tuple[Elastic, Elastic]:
-    """Materials of rings and elements; elements of which no material is given follow the rings."""
-
-    def of(material: Any, part: str, given: Mapping[str, FloatArray]) -> Elastic:
-        return Elastic(
-            *(given.get(f"bearing.{part}.{name}", getattr(material, name)) for name in _ELASTIC)
-        )
-
-    rings = of(row.ring_material, "ring_material", arrays)
-    material = rings if row.elements_follow_rings else row.element_material
-    return rings, of(material, row.MATERIAL, {} if row.MATERIAL in own else arrays)

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Final, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
 from rolamento.words import said
@@ -81,7 +81,7 @@ class Profile(Record):
     has_short_form: ClassVar = True
 
     kind: ProfileKind = Field(examples=["iso"])
-    factor: Annotated[float, Ratio(above=0.0, at_most=0.01)] | None = Field(
+    factor: Annotated[float, Quantity(above=0.0, at_most=0.01)] | None = Field(
         None, examples=[0.00035]
     )
     amplitude: Annotated[float, Quantity("length", above="0 mm", at_most="10 mm")] | None = Field(
@@ -191,13 +191,9 @@ class Profile(Record):
         )
 
 
-def _table_of(value: object) -> object:
-    return Profile.table_of_text(value) if isinstance(value, str) else value
-
-
 ProfileField = Annotated[
     Profile,
-    BeforeValidator(_table_of, json_schema_input_type=Profile | str),
+    BeforeValidator(Profile.text_or_table, json_schema_input_type=Profile | str),
     Field(description="a kind (iso, logarithmic, none) or a table"),
 ]
 """Annotation of a field that takes a profile: its table, or the word of its kind."""

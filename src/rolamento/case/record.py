@@ -49,6 +49,7 @@ _RULES: Final = {
     "int_type": marked("must be an integer"),
     "string_type": marked("must be text"),
     "string_unicode": marked("must be text"),
+    "string_pattern_mismatch": marked("must be one line without control characters"),
     "string_too_long": marked("must be at most {max_length} characters long"),
     "greater_than_equal": marked("must be at least {ge:.6g}"),
     "less_than_equal": marked("must be at most {le:.6g}"),
@@ -67,6 +68,8 @@ _RULES: Final = {
 
 class Record(BaseModel):
     """A frozen record of validated fields; equal and hashable by value.
+
+    What a field is by default, `model_construct` makes: that needs no validation, nor its schema.
 
     Raises
     ------
@@ -115,6 +118,11 @@ class Record(BaseModel):
             If the text stands for none.
         """
         raise InputError(said("must be a table"), value=text)
+
+    @classmethod
+    def text_or_table(cls, value: object) -> object:
+        """Let a field of such a record take the text that stands for its table."""
+        return cls.table_of_text(value) if isinstance(value, str) else value
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -360,7 +368,10 @@ def record_for(info: FieldInfo, given: object) -> type[Record] | None:
         marks = (mark.element_of for mark in info.metadata if isinstance(mark, ByElement))
         element_of = next(marks, None)
         element = given.get("element") or (element_of(given) if element_of else None)
-        found.sort(key=lambda record: element not in elements_of(record))  # stable
+        unknown = {record: given.keys() - record.model_fields for record in found}
+        found.sort(
+            key=lambda one: element not in elements_of(one) if element else len(unknown[one])
+        )
     return found[0] if found else None
 
 

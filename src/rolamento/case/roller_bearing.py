@@ -21,21 +21,21 @@ from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
+    RULES_OF_THE_CIRCLE,
     Designation,
     RollingBearing,
     RowPlace,
-    elements_fit,
     rows_about_centre,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.types import (
     PLAIN_ROLLER,
+    ROLLER,
     BearingType,
     Ribs,
     RollerElement,
     RollerRings,
-    of_grooves,
     type_of_element,
 )
 from rolamento.units import readable
@@ -81,14 +81,18 @@ def _type_of(told: Mapping[str, Any]) -> BearingType | None:
     element, kind = told.get("element"), told.get("kind")
     if element not in get_args(RollerElement):
         return None
-    if kind in get_args(RollerRings):
-        return of_grooves(str(kind), str(element))
-    return type_of_element(str(element))
+    return type_of_element(str(element), str(kind) if kind in get_args(RollerRings) else None)
 
 
 def _is_conical(told: Mapping[str, Any]) -> bool:
     kind = _type_of(told)
     return kind is not None and kind.conical
+
+
+def _right_angle_of_washers(told: dict[str, Any]) -> float | None:
+    """The contact angle that nobody gives: between washers."""
+    kind = _type_of(told)
+    return 0.5 * math.pi if kind is not None and kind.washers else None
 
 
 def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
@@ -125,35 +129,6 @@ def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
 def _usual_inner_ribs(told: dict[str, Any]) -> Ribs:
     """A tapered roller leans on the rib at its large end."""
     return "-" if _is_conical(told) else "none"
-
-
-def _too_small_a_circle(bearing: "RollerBearing") -> InputError:
-    return InputError(
-        said(
-            "must be greater than the roller diameter, {roller_diameter}",
-            roller_diameter=readable(bearing.roller_diameter, "length"),
-        ),
-        field="pitch_diameter",
-        value=readable(bearing.pitch_diameter, "length"),
-        example='pitch_diameter = "38.5 mm"',
-    )
-
-
-def _too_many_rollers(bearing: "RollerBearing") -> InputError:
-    """Neighbouring rollers touch when D = d_pw sin(π/Z)."""
-    room = math.floor(math.pi / math.asin(bearing.roller_diameter / bearing.pitch_diameter))
-    return InputError(
-        said(
-            "rollers of {roller_diameter} do not fit on a pitch circle of "
-            "{pitch_diameter}: there is room for {room}",
-            roller_diameter=readable(bearing.roller_diameter, "length"),
-            pitch_diameter=readable(bearing.pitch_diameter, "length"),
-            room=room,
-        ),
-        field="roller_count",
-        value=bearing.roller_count,
-        example=f"roller_count = {room}" if room >= 3 else "",
-    )
 
 
 def _cones_meet_the_axis(bearing: Any) -> Any:
@@ -364,11 +339,7 @@ def _check_rings(bearing: "RollerBearing") -> None:
 
 
 _RULES: Final = (
-    Rule(lambda b: b.pitch_diameter > b.roller_diameter, _too_small_a_circle),
-    Rule(
-        lambda b: elements_fit(b.element_count, b.roller_diameter, b.pitch_diameter),
-        _too_many_rollers,
-    ),
+    *RULES_OF_THE_CIRCLE,
     Rule(_cones_meet_the_axis, _cones_do_not),
     Rule(_elastic_play, _play_beyond),
     Rule(lambda b: b.effective_length <= b.roller_length * (1.0 + _ROUNDING), _too_short),
@@ -470,29 +441,13 @@ class RollerBearing(RollingBearing):
 
     model_config = ConfigDict(json_schema_extra=_required_unless_told)
 
-    FILLED_IN: ClassVar = {
-        "element": None,
-        "kind": None,
-        "roller_count": None,
-        "roller_diameter": "length",
-        "roller_length": "length",
-        "effective_length": "length",
-        "pitch_diameter": "length",
-        "contact_angle": "angle",
-        "roller_half_angle": "angle",
-        "roller_end_radius": "length",
-        "roller_profile_radius": "length",
-        "inner_raceway_radius": "length",
-        "outer_raceway_radius": "length",
-        "diametral_clearance": "length",
-        "inner_ribs": None,
-        "outer_ribs": None,
-        "axial_play": "length",
-        "arrangement": None,
-        "spacing": "length",
-        "roller_material": None,
-        "preload": None,
-    }
+    FILLED_IN: ClassVar = (
+        "element", "kind", "roller_count", "roller_diameter", "roller_length", "effective_length",
+        "pitch_diameter", "contact_angle", "roller_half_angle", "roller_end_radius",
+        "roller_profile_radius", "inner_raceway_radius", "outer_raceway_radius",
+        "diametral_clearance", "inner_ribs", "outer_ribs", "axial_play", "arrangement", "spacing",
+        "roller_material", "preload",
+    )  # fmt: skip
     VARIES: ClassVar = (
         "roller_diameter",
         "effective_length",
@@ -517,6 +472,7 @@ class RollerBearing(RollingBearing):
     )
     INSIDE: ClassVar = ("roller_count", "roller_diameter", "effective_length", "pitch_diameter")
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
+    ROLLS: ClassVar = ROLLER
     MATERIAL: ClassVar = "roller_material"
     ROW: ClassVar = RollerRow
     PARAMETERS: ClassVar = RollerParameters
@@ -542,7 +498,7 @@ class RollerBearing(RollingBearing):
     ] = Field(examples=["38.5 mm"])
     contact_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", at_most="90 deg", varies=True)] | None
-    ) = Field(None, examples=["14 deg"])
+    ) = Field(default_factory=_right_angle_of_washers, examples=["14 deg"])
     roller_half_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg", varies=True)] | None
     ) = Field(default_factory=_half_angle_of_one_apex, examples=["2 deg"])
@@ -587,40 +543,22 @@ class RollerBearing(RollingBearing):
     preload: PreloadField | None = Field(None, examples=["500 N"])
 
     @classmethod
-    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any]) -> None:
         """Rollers of another shape than the catalogue's have their own ends; washers are flat."""
         kind = _type_of({"element": PLAIN_ROLLER, **given, **found})
         if kind is not None and kind.washers:
-            if given.get("contact_angle") is None:
-                found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
-            found.pop("diametral_clearance", None)
+            for name in ("contact_angle", "diametral_clearance"):
+                found.pop(name, None)
         if any(given.get(name) is not None for name in _SHAPE):
             found.pop("roller_end_radius", None)
 
     @property
     def bearing_type(self) -> BearingType:
         """By its rings where they are not plain, else by its rollers."""
-        if self.kind is not None:
-            return of_grooves(self.kind, self.element)
-        return type_of_element(self.element)
+        return type_of_element(self.element, self.kind)
 
     def _rows_by_kind(self) -> tuple[RowPlace, ...]:
         return rows_about_centre(self.model_copy(update={"kind": None}), self.row_angle)
-
-    @property
-    def element_count(self) -> int:
-        """Z, rollers in the row."""
-        return self.roller_count
-
-    @property
-    def element_diameter(self) -> float:
-        """D_we of a roller, in the middle of a tapered one; m."""
-        return self.roller_diameter
-
-    @property
-    def element_material(self) -> Material:
-        """Material of the rollers."""
-        return self.roller_material
 
     @property
     def carries_one_way(self) -> bool:

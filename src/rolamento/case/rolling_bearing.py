@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import lru_cache
 from typing import (
@@ -37,16 +37,17 @@ from rolamento.case.arrangement import (
     RollerRow,
     RowOfElements,
     as_text,
+    designation_of,
     element_by_designation,
     element_of_row,
 )
 from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
-from rolamento.case.quantity import Line, at_the_border
-from rolamento.case.record import Record
+from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
+from rolamento.case.record import Record, example_of
 from rolamento.errors import InputError, phrase
-from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
-from rolamento.units import Dimension, from_si
+from rolamento.types import BALL, ROLLER, BearingType, Grooves, RollerRings, type_of_element
+from rolamento.units import readable
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -59,11 +60,11 @@ if TYPE_CHECKING:
 __all__ = [
     "DISPLACED",
     "MOST_ROWS",
+    "RULES_OF_THE_CIRCLE",
     "Designation",
     "RollingBearing",
     "RowPlace",
     "element_named",
-    "elements_fit",
     "rows_about_centre",
 ]
 
@@ -107,14 +108,16 @@ class RollingBearing(Record):
     Each kind of rolling element has its record: `Bearing` for balls, `RollerBearing` for rollers.
     """
 
-    FILLED_IN: ClassVar[Mapping[str, Dimension | None]] = {}
-    """What a designation or the first row fills in, by the dimension."""
+    FILLED_IN: ClassVar[tuple[str, ...]] = ()
+    """What a designation or the first row fills in."""
     INSIDE: ClassVar[tuple[str, ...]] = ()
     """Without which the catalogue is asked for the elements."""
     VARIES: ClassVar[tuple[str, ...]] = ()
     """The numbers of a row's geometry, in which cases solved together may differ."""
     STAYS: ClassVar[tuple[str, ...]] = ()
     """What else a row's geometry has."""
+    ROLLS: ClassVar[str] = ""
+    """``"ball"`` or ``"roller"``, with which the names of the elements' fields begin."""
     MATERIAL: ClassVar[str] = ""
     """The field of the rolling elements' material."""
     ROW: ClassVar[type[BallRow | RollerRow]]
@@ -181,7 +184,7 @@ class RollingBearing(Record):
     @property
     def element_count(self) -> int:
         """Z, rolling elements in the row."""
-        raise NotImplementedError
+        return cast("int", getattr(self, f"{self.ROLLS}_count"))
 
     @property
     def carries_one_way(self) -> bool:
@@ -195,13 +198,13 @@ class RollingBearing(Record):
 
     @property
     def element_diameter(self) -> float:
-        """D of a rolling element, the mean of a tapered one; m."""
-        raise NotImplementedError
+        """D of a ball, D_we of a roller, in the middle of a tapered one; m."""
+        return cast("float", getattr(self, f"{self.ROLLS}_diameter"))
 
     @property
     def element_material(self) -> "Material":
         """Material of the rolling elements."""
-        raise NotImplementedError
+        return cast("Material", getattr(self, self.MATERIAL))
 
     @property
     def elements_follow_rings(self) -> bool:
@@ -282,7 +285,7 @@ class RollingBearing(Record):
     @property
     def element_rows(self) -> "tuple[RowPlace, ...]":
         """Those of the `places` that have elements of their own: one of a four-point bearing."""
-        return self.places[:: self.bearing_type.contacts_per_ring]
+        return self.places[:: 2 if self.bearing_type.has_arches else 1]
 
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
@@ -355,25 +358,28 @@ class RollingBearing(Record):
         """Fill in what a designation or the first row gives, without making it the user's own."""
         if not isinstance(given, Mapping):
             return handler(given)
-        in_file = at_the_border(info.context)
-        designation = as_text(given.get("designation"))
+        designation, rows = designation_of(given), _listed_rows(given)
+        found: dict[str, Any] = {}
         records: tuple[CatalogueBearing, ...] = ()
-        if isinstance(designation, str):
+        if rows:
+            given = {**given, "rows": _with_elements(rows, given)}
+        if designation is not None:
             geometry = cls._geometry(designation, given)
             given = {**given, **_preload_of_this(geometry, given)}
-            found = cls._of_catalogue(geometry, given, in_file=in_file)
+            found = cls._of_catalogue(geometry, given)
             records = geometry.records
-        else:
-            found = cls._of_first_row(given, in_file=in_file)
-        cls._adjust(given, found, in_file=in_file)
+        elif rows:
+            found = cls._of_first_row(given)
+        if found:
+            cls._adjust(given, found)
         bearing = handler({**given, **found})
         bearing.__pydantic_fields_set__.difference_update(found)
         cast("dict[str, Any]", bearing.__pydantic_private__)["_listed"] = records
         return bearing
 
     @classmethod
-    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
-        """Add to what is filled in, or take away from it, by what both say together."""
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any]) -> None:
+        """Take away from what is filled in, by what both say together."""
 
     @classmethod
     def _geometry(cls, designation: str, given: Mapping[str, Any]) -> "InternalGeometry":
@@ -384,11 +390,11 @@ class RollingBearing(Record):
 
     @classmethod
     def _of_catalogue(
-        cls, geometry: "InternalGeometry", given: Mapping[str, Any], *, in_file: bool
+        cls, geometry: "InternalGeometry", given: Mapping[str, Any]
     ) -> dict[str, Any]:
         """Return the fields that a designation gives and the user does not."""
         own = _own_fields(given)
-        missing = cls.FILLED_IN.keys() - own
+        missing = set(cls.FILLED_IN) - own
         if own.intersection(cls.RIVALS):
             missing -= set(cls.RIVALS)
         if "rows" in own:
@@ -408,26 +414,22 @@ class RollingBearing(Record):
             if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
                 told["preload"] = _listed_preload(geometry, given)
         for name in missing & told.keys():
-            value, dimension = told[name], cls.FILLED_IN[name]
+            value = told[name]
             if value is not None:
-                found[name] = _written(value, dimension) if in_file and dimension else value
+                found[name] = InSI(value) if isinstance(value, float) else value
         return found
 
     @classmethod
-    def _of_first_row(cls, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
+    def _of_first_row(cls, given: Mapping[str, Any]) -> dict[str, Any]:
         """Return the geometry that the first row of this kind gives and the bearing does not."""
-        rows = given.get("rows")
-        for row in rows if isinstance(rows, list | tuple) else ():
-            told = row if isinstance(row, Mapping) else getattr(row, "own", {})
-            if BY_ELEMENT.get(element_of_row(row)) is cls:
-                break
-        else:
-            return {}
+        rows = (row for row in given["rows"] if BY_ELEMENT.get(element_of_row(row)) is cls)
+        row = next(rows, None)
+        told = row if isinstance(row, Mapping) else getattr(row, "own", {})
         own = _own_fields(given)
-        designation = told.get("designation")
-        if isinstance(designation, str):
+        designation = designation_of(told)
+        if designation is not None:
             filled = {**given, **{name: v for name, v in told.items() if name in cls.FILLED_IN}}
-            listed = cls._of_catalogue(cls._geometry(designation, filled), filled, in_file=in_file)
+            listed = cls._of_catalogue(cls._geometry(designation, filled), filled)
             told = {**listed, **told}
         play = set(cls.RIVALS) if own.intersection(cls.RIVALS) else set()
         missing = (name for name in cls.FILLED_IN if name not in own | play)
@@ -441,10 +443,10 @@ class RollingBearing(Record):
         fields: dict[str, Any] = handler(self)
         for name in self._never_written:
             fields.pop(name, None)
-        if not at_the_border(info.context):
+        if info.context != AT_THE_BORDER:
             return fields
         alone = (self.designation or self.rows) is None
-        unsaid = ({self.MATERIAL} if alone else self.FILLED_IN.keys()) - self.model_fields_set
+        unsaid = {*((self.MATERIAL,) if alone else self.FILLED_IN)} - self.model_fields_set
         return {name: value for name, value in fields.items() if name not in unsaid}
 
     @property
@@ -524,15 +526,58 @@ BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
 """The record of a bearing by what rolls in it."""
 
 
-@lru_cache(maxsize=1024)
-def _written(value: float, dimension: Dimension) -> str:
-    """Return a length or an angle as a file has it, which is the same in any language."""
-    return from_si(value, dimension)
+_TOO_LARGE: Final = {
+    BALL: marked("must be greater than the ball diameter, {ball_diameter}"),
+    ROLLER: marked("must be greater than the roller diameter, {roller_diameter}"),
+}
+_TOO_MANY: Final = {
+    BALL: marked(
+        "balls of {ball_diameter} do not fit on a pitch circle of "
+        "{pitch_diameter}: there is room for {room}"
+    ),
+    ROLLER: marked(
+        "rollers of {roller_diameter} do not fit on a pitch circle of "
+        "{pitch_diameter}: there is room for {room}"
+    ),
+}
 
 
-def elements_fit(count: int, diameter: Any, pitch_diameter: Any) -> Any:
-    """Whether neighbours on the pitch circle do not overlap; numbers or arrays."""
-    return diameter / pitch_diameter <= math.sin(math.pi / count)
+def _too_small_a_circle(bearing: RollingBearing) -> InputError:
+    diameter = {f"{bearing.ROLLS}_diameter": readable(bearing.element_diameter, "length")}
+    return InputError(
+        said(_TOO_LARGE[bearing.ROLLS], **diameter),
+        field="pitch_diameter",
+        value=readable(bearing.pitch_diameter, "length"),
+        example=example_of(type(bearing), ("pitch_diameter",)),
+    )
+
+
+def _elements_fit(bearing: Any) -> Any:
+    """Whether neighbours on the pitch circle do not overlap: D ≤ d_m sin(π/Z)."""
+    room = math.sin(math.pi / bearing.element_count)
+    return bearing.element_diameter / bearing.pitch_diameter <= room
+
+
+def _too_many(bearing: RollingBearing) -> InputError:
+    count, diameter = f"{bearing.ROLLS}_count", bearing.element_diameter
+    room = math.floor(math.pi / math.asin(diameter / bearing.pitch_diameter))
+    sizes = {
+        f"{bearing.ROLLS}_diameter": readable(diameter, "length"),
+        "pitch_diameter": readable(bearing.pitch_diameter, "length"),
+    }
+    return InputError(
+        said(_TOO_MANY[bearing.ROLLS], **sizes, room=room),
+        field=count,
+        value=bearing.element_count,
+        example=f"{count} = {room}" if room >= 3 else "",
+    )
+
+
+RULES_OF_THE_CIRCLE: Final = (
+    Rule(lambda b: b.pitch_diameter > b.element_diameter, _too_small_a_circle),
+    Rule(_elements_fit, _too_many),
+)
+"""Elements have room on their pitch circle."""
 
 
 def element_named(given: Mapping[str, Any]) -> str | None:
@@ -540,11 +585,10 @@ def element_named(given: Mapping[str, Any]) -> str | None:
 
     Balls, if any row is of balls: a set of both has their record.
     """
-    rows = given.get("rows")
-    elements = [element_of_row(row) for row in (rows if isinstance(rows, list | tuple) else ())]
+    by_designation = element_by_designation(given)
+    elements = [element_of_row(row, by_designation) for row in _listed_rows(given)]
     if elements:
         return BALL if BALL in elements else elements[0]
-    by_designation = element_by_designation(given)
     if by_designation is not None:
         return by_designation
     if any(name.startswith("roller_") for name in given):
@@ -554,6 +598,21 @@ def element_named(given: Mapping[str, Any]) -> str | None:
             example='element = "cylindrical"',
         )
     return None
+
+
+def _listed_rows(given: Mapping[str, Any]) -> Sequence[Any]:
+    """The rows of a table that nobody has checked; none of what is no list."""
+    rows = given.get("rows")
+    return rows if isinstance(rows, list | tuple) else ()
+
+
+def _with_elements(rows: Sequence[Any], given: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Rows of a table that say what rolls in them: what rolls in the bearing, where they do not."""
+    element = given.get("element") or element_by_designation(given)
+    return tuple(
+        {**row, "element": element_of_row(row, element)} if isinstance(row, Mapping) else row
+        for row in rows
+    )
 
 
 def _own_fields(given: Mapping[str, Any]) -> set[str]:
@@ -639,7 +698,7 @@ def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace
         signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
         return tuple(_placed(one, sign, row.position, row.phase) for row, sign in signs)
     if resolved is None or "arrangement" in resolved.fields:
-        names = bearing.FILLED_IN.keys() - bearing.model_fields_set - plain.keys()
+        names = set(bearing.FILLED_IN) - bearing.model_fields_set - plain.keys()
         if bearing.elements_follow_rings:
             names.discard(bearing.MATERIAL)
         values = {name: getattr(bearing, name) for name in names}

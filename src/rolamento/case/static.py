@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 
 __all__ = ["Operation", "Requirement", "Static"]
@@ -44,14 +44,14 @@ class Static(Record):
 
     operation: Operation = Field("normal", examples=["shock"])
     requirement: Requirement = Field("normal", examples=["high"])
-    load_factor: Annotated[float, Ratio(above=0.0, at_most=1000.0)] = Field(1.0, examples=[1.4])
+    load_factor: Annotated[float, Quantity(above=0.0, at_most=1000.0)] = Field(1.0, examples=[1.4])
     allowable_pressure: (
         Annotated[float, Quantity("stress", above="0 MPa", at_most="100 GPa")] | None
     ) = Field(None, examples=["3200 MPa"])
-    surface_hardness: Annotated[float, Ratio(at_least=20.0, at_most=68.0)] | None = Field(
+    surface_hardness: Annotated[float, Quantity(at_least=20.0, at_most=68.0)] | None = Field(
         None, examples=[60]
     )
-    core_hardness: Annotated[float, Ratio(at_least=100.0, at_most=900.0)] | None = Field(
+    core_hardness: Annotated[float, Quantity(at_least=100.0, at_most=900.0)] | None = Field(
         None, examples=[350]
     )
     case_depth: Annotated[float, Quantity("length", above="0 mm", at_most="1 m")] | None = Field(

@@ -10,7 +10,7 @@ from pydantic import Field, ValidationInfo, model_validator
 
 from rolamento.case.case import Case, with_changes
 from rolamento.case.fields import fields_of, in_file_form, values_of
-from rolamento.case.quantity import Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Line
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -66,7 +66,7 @@ class Variant(Record):
     def _as_a_file_holds_them(self, info: ValidationInfo) -> Self:
         changes = dict(_flat(self.changes, ""))
         for name, value in changes.items():
-            if not at_the_border(info.context):
+            if info.context != AT_THE_BORDER:
                 changes[name] = in_file_form(name, value, Case)
             elif (field := fields_of(Case).get(name)) is not None and field.continuous:
                 field.checked(value, in_file=True)

@@ -24,7 +24,6 @@ __all__ = [
     "batch_fields",
     "bounded",
     "is_of_mounting",
-    "refuse_rivals",
     "varied_arrays",
 ]
 
@@ -88,7 +87,8 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
         exclude each other.
     """
     arrays: dict[str, Floats] = {}
-    for key, value in (*_columns(values), *short.items()):
+    columns = () if values is None else _columns(values)
+    for key, value in (*columns, *short.items()):
         name = SHORT_NAMES.get(key, key) if isinstance(key, str) else str(key)
         field = field_of(Case, name)
         if field is None or not field.varies:
@@ -102,6 +102,13 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
             )
         if name in arrays:
             raise InputError(said("is given twice"), field=name, example=_EXAMPLE)
+        before = next((one for one in arrays if one in field.rivals), None)
+        if before is not None:
+            raise InputError(
+                said("cannot be combined with {before}", before=before),
+                field=name,
+                example=f"{name} without {before}",
+            )
         arrays[name] = _numbers(field, value)
     shapes = {array.shape for array in arrays.values() if array.ndim}
     if len(shapes) > 1 or any(len(shape) != 1 for shape in shapes):
@@ -111,7 +118,6 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
             value=str(sorted(shapes)),
             example=f"{_EXAMPLE}, fz=[0.0, 500.0]",
         )
-    refuse_rivals(tuple(arrays))
     return arrays
 
 
@@ -126,28 +132,7 @@ def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
     return found
 
 
-def refuse_rivals(names: tuple[str, ...]) -> None:
-    """Refuse fields of which a case takes one.
-
-    Raises
-    ------
-    InputError
-        Naming both.
-    """
-    for index, name in enumerate(names[1:], start=1):
-        field = field_of(Case, name)
-        for before in names[:index]:
-            if field is not None and before in field.rivals:
-                raise InputError(
-                    said("cannot be combined with {before}", before=before),
-                    field=name,
-                    example=f"{name} without {before}",
-                )
-
-
 def _columns(values: Any) -> list[tuple[Any, Any]]:
-    if values is None:
-        return []
     if isinstance(values, Mapping):
         return list(values.items())
     if hasattr(values, "columns") and hasattr(values, "__getitem__"):

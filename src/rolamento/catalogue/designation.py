@@ -29,11 +29,11 @@ from rolamento.types import TYPES
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
-_INSERT: Final = re.compile(
+_INSERT: Final = (
     r"(?P<letters>[A-Z]{2,7})-?(?P<series>[23X])(?P<bore>\d\d)(?:-(?P<sixteenths>\d{1,2})(?![A-Z\d]))?"
     r"(?P<rest>(?:[-/]?[A-Z]|[-/]\d).*)?"
 )
-_UNIT: Final = re.compile(r"(?P<letters>[A-Z]{2,5})-?(?P<bore>\d{2,3})(?P<rest>(?:-|[A-Z]).*)?")
+_UNIT: Final = r"(?P<letters>[A-Z]{2,5})-?(?P<bore>\d{2,3})(?P<rest>(?:-|[A-Z]).*)?"
 _MIN_BORE_CODE: Final = 4
 """Smallest code of the bore: below 20 mm makers differ in the outside diameter."""
 _MAX_BORE_CODE: Final = 22
@@ -69,7 +69,7 @@ def insert_of(text: str) -> Insert | None:
         If it is one whose inside depends on the maker.
     """
     plain = re.sub(r"[\s.]", "", text.upper())
-    found = _INSERT.fullmatch(plain)
+    found = re.fullmatch(_INSERT, plain)
     parts = None if found is None else _letters_of_unit(found["letters"])
     if found is not None and parts is not None:
         series, code = found["series"], int(found["bore"])
@@ -80,9 +80,9 @@ def insert_of(text: str) -> Insert | None:
             meanings.append((parts.housing, designation_data()["insert_housings"][parts.housing]))
         if found["sixteenths"]:
             meanings.append((f"-{found['sixteenths']}", designation_data()["phrases"]["inches"]))
-        tapered = "tapered" in parts.meaning
-        return Insert(number, "C4" if tapered else "C3", tuple(meanings), found["rest"] or "")
-    found = _UNIT.fullmatch(plain)
+        supplied = designation_data()["insert_classes"].get(parts.insert, "C3")
+        return Insert(number, supplied, tuple(meanings), found["rest"] or "")
+    found = re.fullmatch(_UNIT, plain)
     if found is None or found["letters"] not in designation_data()["insert_units"]["names"]:
         return None
     code, off = divmod(int(found["bore"]), 5)
@@ -373,14 +373,14 @@ def parse_designation(text: str) -> Designation:
 
 _OF_ROLLERS: Final = re.compile(r"CC[0-59]?|CT")
 """Clearance classes of NSK's that balls do not have, or where the letters mean something else."""
-_WITHIN: Final = re.compile(r"CC[0-59](?=P\d|$)")
+_WITHIN: Final = r"CC[0-59](?=P\d|$)"
 """Those that NSK writes without a blank, as in NN3020TBKRCC0P4."""
 
 
 def _with_rollers(known: Mapping[str, Any], rollers: RollerNumber, before: Letters) -> Designation:
     coded = rollers.bore.removeprefix("code ")
     in_mm = coded == rollers.bore
-    groups = groups_of(_WITHIN.sub(r"|\g<0>|", rollers.rest))
+    groups = groups_of(re.sub(_WITHIN, r"|\g<0>|", rollers.rest))
     others = (group for group in groups if not _OF_ROLLERS.fullmatch(group))
     behind = letters_behind(others, known["text"])
     for group in filter(_OF_ROLLERS.fullmatch, groups):

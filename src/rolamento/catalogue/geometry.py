@@ -434,8 +434,8 @@ def _without_balls(
         rule = said(
             "has neither published balls nor load ratings here. {maker} {sister}, of the same bore"
             " and outside diameter and a contact angle of {angle:.0f °}, has {count} balls of"
-            " {ball:.5 mm}: give it if it may stand in, or give life.dynamic_rating and"
-            " life.static_rating, or ball_count, ball_diameter and pitch_diameter",
+            " {ball:.5 mm}: give it if it may stand in, or give `life.dynamic_rating` and"
+            " `life.static_rating`, or ball_count, ball_diameter and pitch_diameter",
             maker=sister.maker,
             sister=sister.designation,
             angle=sister.contact_angle,
@@ -445,8 +445,8 @@ def _without_balls(
         example = f'designation = "{_with_letters(sister, found.designation.letters)}"'
     else:
         rule = said(
-            "has no load rating to estimate the balls from: give life.dynamic_rating and"
-            " life.static_rating, or ball_count, ball_diameter and pitch_diameter"
+            "has no load rating to estimate the balls from: give `life.dynamic_rating` and"
+            " `life.static_rating`, or ball_count, ball_diameter and pitch_diameter"
         )
         example = 'life.dynamic_rating = "14 kN"'
     return InputError(rule, field="designation", value=text, example=example)

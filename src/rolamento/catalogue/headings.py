@@ -130,7 +130,6 @@ _WORDS: Final = {word: text for text, words in _TEXTS.items() for word in words.
 _KIND_OF_WORD: Final = {word: one.key for one in TYPES.values() for word in one.called.split()}
 _NO_KIND: Final = frozenset(("ball", "ball_bearing", "esferas", "kugellager", "bolas"))
 """Words that leave open which kind of ball bearing it is: the contact angle decides."""
-_SYMBOL: Final = re.compile(r"[dD]")
 
 
 @frozen
@@ -249,7 +248,7 @@ def _parts(title: str) -> tuple[str, str, str]:
 
 def _figure_of(name: str) -> tuple[str, str]:
     """The figure or text of a name, and the quantity that it is: "text" of a text."""
-    if _SYMBOL.fullmatch(name):
+    if name in ("d", "D"):
         return ("bore" if name == "d" else "outside_diameter"), "length"
     if name in ("α", "Α"):
         return "contact_angle", "angle"

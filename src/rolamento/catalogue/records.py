@@ -15,20 +15,22 @@ from dataclasses import field, fields
 from functools import cached_property
 from itertools import pairwise
 from math import degrees, radians
-from typing import Any, Final, cast, overload
+from typing import TYPE_CHECKING, Any, Final, cast, overload
 
 import numpy as np
 
 from rolamento.catalogue.headings import CatalogueColumn, columns_of, heads_catalogue, kind_of_word
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.io.data import toml_of
-from rolamento.io.numerals import Numerals
 from rolamento.io.text import parse_mapping
 from rolamento.records import frozen
 from rolamento.types import BALL, PLAIN_BALLS, TYPES, BearingKey, BearingType, of_balls
 from rolamento.units import Dimension, readable, to_si
 from rolamento.validate import one_of
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.io.numerals import Numerals
 
 
 @frozen(kw_only=True)

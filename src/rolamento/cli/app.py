@@ -177,6 +177,14 @@ class Program(GroupedCommands):
         super().__init__(**given)
         self.commands = _Commands()  # type: ignore[assignment]  # of which nobody takes one away
 
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Parse the arguments before the command; its module is imported first.
+
+        NumPy then comes before ``typing_extensions`` of pydantic, which makes typing slow.
+        """
+        self.get_command(ctx, next(filter(self.commands.__contains__, args), ""))
+        return super().parse_args(ctx, args)
+
     def line_of(self, name: str) -> str:
         """Return what a command does, in one line; its module is not imported for it."""
         return said(_LINES[name])

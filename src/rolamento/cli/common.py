@@ -72,9 +72,9 @@ def ended_softly() -> Iterator[None]:
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         complain(
             said(
-                "Ctrl-C is ignored here, in the background: `kill {process}` ends the command, and"
+                "Ctrl-C is ignored here, in the background: 'kill {process}' ends the command, and"
                 " what is done is kept",
-                process=os.getpid(),
+                process=str(os.getpid()),
             )
         )
     before = signal.signal(signal.SIGTERM, signal.default_int_handler)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import re
 from collections.abc import Collection, Mapping, Sequence
+from functools import partial
 from typing import Any, ClassVar, Final, TypeVar, get_args
 
 import typer.core
@@ -13,9 +14,17 @@ from typer.core import TyperCommand, TyperGroup
 from rolamento.cli.complaints import UsageError, complaining
 from rolamento.cli.waiting import working
 from rolamento.errors import nearest
-from rolamento.words import language_asked, marked, said, said_in, speaking
+from rolamento.words import language_asked, marked, said, said_in, speaking, spelling
 
-__all__ = ["METAVAR", "GroupedCommands", "Groups", "SpokenCommand", "paragraphs", "unwrapped"]
+__all__ = [
+    "METAVAR",
+    "GroupedCommands",
+    "Groups",
+    "SpokenCommand",
+    "as_option",
+    "paragraphs",
+    "unwrapped",
+]
 
 Groups = Mapping[str, Collection[str]]
 """Headings, in their order, and the names below each."""
@@ -97,6 +106,25 @@ def _takes_number(parameter: Any) -> bool:
     return float in {annotation, *get_args(annotation)}
 
 
+def as_option(options: Mapping[str, str], text: str) -> str:
+    """Spell a name in a text as the command line does (`rolamento.words.spelling`).
+
+    Parameters
+    ----------
+    options
+        By the names of the inputs, where they are not just ``--name``.
+    text
+        An input, a field of a case or a command; the first two with a value or without.
+    """
+    name, equals, value = text.partition("=")
+    if "." in name:
+        return f"--set {text}" if equals else text
+    if " " in name:
+        return text
+    option = options.get(name, f"--{name.replace('_', '-')}")
+    return f"{option} {value}" if equals else option
+
+
 class GroupedCommands(TyperGroup):
     """A command whose help shows its own commands in groups, with all of the one-line help."""
 
@@ -104,7 +132,8 @@ class GroupedCommands(TyperGroup):
 
     def main(self, args: Sequence[str] | None = None, *others: Any, **more: Any) -> Any:
         """Run in the language that the arguments ask for, or else in that of the locale."""
-        with speaking(language_asked(args)), complaining():
+        as_typed = spelling(partial(as_option, {"changes": "--set"}))
+        with speaking(language_asked(args)), as_typed, complaining():
             more["standalone_mode"] = False
             raise SystemExit(super().main(args, *others, **more) or 0)
 

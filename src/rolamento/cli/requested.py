@@ -8,6 +8,7 @@ import os
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
@@ -22,12 +23,13 @@ from rolamento.cli.common import (
     json_option,
     plain_endings,
 )
+from rolamento.cli.grouped_help import as_option
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
 from rolamento.errors import InputError, UnknownKeyError
 from rolamento.io.writing import write_text
-from rolamento.words import said
+from rolamento.words import said, spelling
 
 if TYPE_CHECKING:
     from rolamento.tasks.request import Input, Request
@@ -197,7 +199,8 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
         for name, one in request.inputs().items()
     } | {name: f"--{name}" for name in request.products}
     try:
-        yield
+        with spelling(partial(as_option, {"changes": "--set", **options})):
+            yield
     except InputError as error:
         of_column = error.field in request.columns and error.source not in ("", *options)
         if isinstance(error, UnknownKeyError):

@@ -148,7 +148,7 @@ _UNITS: Final = {
 }
 COLUMN_OF: Final = {word: column for column, words in NAMES.items() for word in words.split()}
 UNIT_OF: Final = {word: unit for unit, words in _UNITS.items() for word in words.split()}
-_IN_BRACKETS: Final = re.compile(r"(.*?)\s*[\[(]\s*([^\[\]()]{1,40}?)\s*[\])]\s*")
+_IN_BRACKETS: Final = r"(.*?)\s*[\[(]\s*([^\[\]()]{1,40}?)\s*[\])]\s*"
 _MICRO: Final = str.maketrans({"\u03bc": "\u00b5"})
 """Greek mu for the sign of micro, which the units are written with."""
 _UNIT_WORDS: Final = _words(
@@ -170,7 +170,7 @@ def folded_name(word: str) -> str:
 
 def title_parts(title: str) -> tuple[str, str]:
     """Return the name of a column, and its unit as written in brackets; empty without."""
-    match = _IN_BRACKETS.fullmatch(title)
+    match = re.fullmatch(_IN_BRACKETS, title)
     return (match[1], match[2].translate(_MICRO)) if match else (title, "")
 
 
@@ -244,7 +244,7 @@ def place_of(cells: Sequence[str], title: str) -> int:
     raise InputError(rule, field=title)
 
 
-_BARE_NUMBER: Final = re.compile(r"[+-]?\d[\d.,]*")
+_BARE_NUMBER: Final = r"[+-]?\d[\d.,]*"
 
 
 def check_names(header: Sequence[str], example: str) -> None:
@@ -256,7 +256,7 @@ def check_names(header: Sequence[str], example: str) -> None:
         With what to put above the table.
     """
     for cell in header:
-        if _BARE_NUMBER.fullmatch(cell):
+        if re.fullmatch(_BARE_NUMBER, cell):
             raise InputError(
                 said("stands where the names of the columns must be; put a line with them above"),
                 field="header",

@@ -18,12 +18,12 @@ import codecs
 import csv
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Any, Final
 
-from rolamento.errors import FileError, InputError
-from rolamento.io.columns import is_unit_word, title_parts
+from rolamento.errors import FileError, InputError, guess
+from rolamento.io.columns import folded_name, is_unit_word, title_parts
 from rolamento.io.numerals import (
     DECIMAL_COMMA,
     GROUPED,
@@ -48,6 +48,7 @@ __all__ = [
     "encoding_of",
     "mark_said",
     "parse_table",
+    "read_columns",
     "read_table",
     "separator_said",
     "split_line",
@@ -219,6 +220,44 @@ def read_table(
 ) -> Table:
     """Read a table from a file, or from standard input for ``"-"``; see `parse_table`."""
     return parse_table(*table_text(path), most_rows=most_rows, example=example, is_header=is_header)
+
+
+def read_columns(
+    path: str | os.PathLike[str],
+    words: Mapping[str, str],
+    needed: Collection[str],
+    **options: Any,
+) -> tuple[Table, dict[str, tuple[int, str]]]:
+    """Read a table of known columns, as `read_table`: the place and the unit of those it has.
+
+    words: by column, what may stand above it, parted by blanks; needed: columns that it must have.
+
+    Raises
+    ------
+    FileError
+        If it is no such table, or a column is unknown, given twice or missing.
+    """
+    columns = {folded_name(word): one for one, more in words.items() for word in more.split()}
+
+    def refused(rule: str, field: str) -> InputError:
+        return table.placed(FileError(rule, field=field, example=options["example"]))
+
+    def column_of(title: str) -> str | None:
+        return columns.get(folded_name(title_parts(title)[0]))
+
+    table = read_table(path, is_header=lambda cells: any(map(column_of, cells)), **options)
+    places: dict[str, tuple[int, str]] = {}
+    for place, title in enumerate(table.header):
+        column = column_of(title)
+        if column is None:
+            near = guess(folded_name(title), words)
+            raise refused(said("is an unknown column; {guess}", guess=near), title)
+        if column in places:
+            raise refused(said("is given twice"), title)
+        places[column] = place, title_parts(title)[1]
+    if missing := [column for column in needed if column not in places]:
+        raise refused(said("is missing"), missing[0])
+    return table, places
 
 
 def table_text(path: str | os.PathLike[str]) -> tuple[str, str]:

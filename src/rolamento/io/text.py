@@ -11,8 +11,8 @@ import os
 import re
 import stat
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sized
-from typing import Any, Final, Literal, NoReturn, TypeVar
+from collections.abc import Iterator, Mapping
+from typing import Any, Final, Literal, NoReturn
 
 from rolamento.errors import FileError, cause, shown
 from rolamento.words import marked, said
@@ -32,7 +32,6 @@ __all__ = [
 ]
 
 TextFormat = Literal["toml", "json"]
-Result = TypeVar("Result")
 
 STANDARD_INPUT: Final = "standard input"
 
@@ -40,10 +39,9 @@ LineIndex = dict[tuple[str, ...], int]
 
 _KEY_PART: Final = r"""(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*')"""
 _DOTTED: Final = rf"{_KEY_PART}(?:[ \t]*\.[ \t]*{_KEY_PART})*"
-_TOML_TABLE: Final = re.compile(rf"[ \t]*\[{{1,2}}[ \t]*({_DOTTED})[ \t]*\]")
-_TOML_KEY: Final = re.compile(rf"[ \t]*({_DOTTED})[ \t]*=")
-_PART: Final = re.compile(_KEY_PART)
-_JSON_TOKEN: Final = re.compile(r'"(?:[^"\\]|\\.)*"|[{}:\n]')
+_TOML_TABLE: Final = rf"[ \t]*\[{{1,2}}[ \t]*({_DOTTED})[ \t]*\]"
+_TOML_KEY: Final = rf"[ \t]*({_DOTTED})[ \t]*="
+_JSON_TOKEN: Final = r'"(?:[^"\\]|\\.)*"|[{}:\n]'
 
 _LARGEST_FILE: Final = 1_000_000
 # The standard library's TOML reader takes memory with the square of the parts of a
@@ -65,10 +63,20 @@ def read_text(path: str | os.PathLike[str]) -> tuple[str, str]:
         If there is no such regular file, it cannot be read, is larger than 1 MB, or
         is not UTF-8 text.
     """
-    source = os.fspath(path)
     content = read_bytes(path, _LARGEST_FILE, marked("a case file"))
-    source = STANDARD_INPUT if source == "-" else source
-    return _decoded(content, source), source
+    source = STANDARD_INPUT if os.fspath(path) == "-" else os.fspath(path)
+    if len(content) > _LARGEST_FILE:
+        raise FileError(said("is larger than 1 MB, more than is read"), source=source)
+    wrong = _ENCODING_MARKS.get(content[:2])
+    if wrong:
+        raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
+    if b"\0" in content:
+        raise FileError(said("is a binary file; a case is TOML or JSON text"), source=source)
+    try:
+        return content.decode("utf-8-sig"), source
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise FileError(said("is not UTF-8 text"), source=source, line=line) from None
 
 
 def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
@@ -88,10 +96,25 @@ def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
     FileError
         If there is no such regular file, or it cannot be read.
     """
-    source = os.fspath(path)
-    if source == "-":
-        return _attempt(lambda: _standard_input(most), STANDARD_INPUT)
-    return _attempt(lambda: _regular_file(source, most, what), source)
+    place = os.fspath(path)
+    source = STANDARD_INPUT if place == "-" else place
+    if place == "-" and sys.stdin is None:
+        raise FileError(said("is closed"), source=source)
+    try:
+        if place == "-":
+            return sys.stdin.buffer.read(most + 1)
+        kind = os.stat(place).st_mode
+        if stat.S_ISREG(kind):
+            with open(place, "rb") as file:
+                return file.read(most + 1)
+    except OSError as error:
+        rule = said("cannot be opened: {reason}", reason=cause(error))
+        raise FileError(rule, source=source) from None
+    except (TypeError, ValueError):
+        raise FileError(said("is not a valid file name"), source=source) from None
+    if stat.S_ISDIR(kind):
+        raise FileError(said("is a directory; give {what}", what=said(what)), source=source)
+    raise FileError(said("is not a regular file; use - for standard input"), source=source)
 
 
 def format_of_path(path: str | os.PathLike[str]) -> TextFormat | None:
@@ -130,13 +153,13 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     parse = _parsed_json if text_format == "json" else _parsed_toml
     try:
         mapping = parse(text)
+        _refuse_shape(mapping)
     except FileError as error:
         raise error.with_details(source=source) from None
     except RecursionError:
         raise FileError(said("is nested too deeply"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
-    _refuse_shape(mapping, source)
     if not isinstance(mapping, dict):
         raise FileError(
             said("must contain a table (an object in JSON)"),
@@ -146,30 +169,24 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     return mapping
 
 
-def _refuse_shape(parsed: object, source: str) -> None:
+def _refuse_shape(parsed: object) -> None:
     """Refuse lists and tables that stand in each other too deep, and tables of too many keys."""
     level = [parsed]
     for _ in range(_DEEPEST):
         inner: list[object] = []
         for one in level:
-            if isinstance(one, dict):
-                _check_keys(one, source)
+            if isinstance(one, dict) and len(one) > _MOST_KEYS:
+                raise FileError(said("has a table of more than {most} keys", most=_MOST_KEYS))
             inner += one.values() if isinstance(one, dict) else one if isinstance(one, list) else ()
         level = [one for one in inner if isinstance(one, dict | list)]
         if not level:
             return
-    raise FileError(said("is nested too deeply"), source=source)
+    raise FileError(said("is nested too deeply"))
 
 
-def _check_keys(table: Sized, source: str = "") -> None:
-    if len(table) > _MOST_KEYS:
-        rule = said("has a table of more than {most} keys", most=_MOST_KEYS)
-        raise FileError(rule, source=source)
-
-
-_REXS: Final = re.compile(
-    r"""\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<model\s[^>]*version\s*=|\s*\{\s*"model"\s*:\s*\{""",
-    re.DOTALL,
+_REXS: Final = (
+    r"""(?s)\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<model\s[^>]*version\s*="""
+    r"""|\s*\{\s*"model"\s*:\s*\{"""
 )
 """How a model begins as XML (.rexs) and as JSON (.rexsj): REXS 1.4, FVA."""
 
@@ -182,57 +199,13 @@ def _refuse_rexs(text: str, source: str) -> None:
     FileError
         If it is one.
     """
-    if not _REXS.match(text[:2000]) or not re.search(r"\b(?:relations|components)\b", text):
+    if not re.match(_REXS, text[:2000]) or not re.search(r"\b(?:relations|components)\b", text):
         return
     raise FileError(
         said("is a REXS model of a gear unit; make a machine file of it first"),
         source=source,
         example="rolamento import gearbox.rexs -o machine.toml",
     )
-
-
-def _attempt(action: Callable[[], Result], source: str) -> Result:
-    try:
-        return action()
-    except FileError:
-        raise
-    except OSError as error:
-        raise FileError(
-            said("cannot be opened: {reason}", reason=cause(error)), source=source
-        ) from None
-    except (TypeError, ValueError):
-        raise FileError(said("is not a valid file name"), source=source) from None
-
-
-def _regular_file(source: str, most: int, what: str) -> bytes:
-    kind = os.stat(source).st_mode
-    if stat.S_ISDIR(kind):
-        raise FileError(said("is a directory; give {what}", what=said(what)), source=source)
-    if not stat.S_ISREG(kind):
-        raise FileError(said("is not a regular file; use - for standard input"), source=source)
-    with open(source, "rb") as file:
-        return file.read(most + 1)
-
-
-def _standard_input(most: int) -> bytes:
-    if sys.stdin is None:
-        raise FileError(said("is closed"), source=STANDARD_INPUT)
-    return sys.stdin.buffer.read(most + 1)
-
-
-def _decoded(content: bytes, source: str) -> str:
-    if len(content) > _LARGEST_FILE:
-        raise FileError(said("is larger than 1 MB, more than is read"), source=source)
-    wrong = _ENCODING_MARKS.get(content[:2])
-    if wrong:
-        raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)
-    if b"\0" in content:
-        raise FileError(said("is a binary file; a case is TOML or JSON text"), source=source)
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise FileError(said("is not UTF-8 text"), source=source, line=line) from None
 
 
 def _parsed_toml(text: str) -> object:
@@ -251,7 +224,6 @@ def _parsed_json(text: str) -> object:
 
 
 def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    _check_keys(pairs)
     mapping = dict(pairs)
     if len(mapping) < len(pairs):
         seen: set[str] = set()
@@ -312,22 +284,22 @@ def line_of(field: str, index: LineIndex) -> int | None:
 def _toml_keys(text: str) -> Iterator[tuple[tuple[str, ...], int]]:
     table: tuple[str, ...] = ()
     for number, line in enumerate(text.split("\n"), start=1):
-        if match := _TOML_TABLE.match(line):
+        if match := re.match(_TOML_TABLE, line):
             table = _parts(match[1])
             yield table, number
-        elif match := _TOML_KEY.match(line):
+        elif match := re.match(_TOML_KEY, line):
             yield (*table, *_parts(match[1])), number
 
 
 def _parts(dotted: str) -> tuple[str, ...]:
-    return tuple(part.strip("\"'") for part in _PART.findall(dotted))
+    return tuple(part.strip("\"'") for part in re.findall(_KEY_PART, dotted))
 
 
 def _json_keys(text: str) -> Iterator[tuple[tuple[str, ...], int]]:
     """Follow the braces: a string before a colon is a key of the innermost object."""
     path: list[str] = []
     line, name, name_line = 1, "", 1
-    for match in _JSON_TOKEN.finditer(text):
+    for match in re.finditer(_JSON_TOKEN, text):
         token = match[0]
         if token == "\n":
             line += 1

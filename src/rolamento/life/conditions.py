@@ -171,7 +171,7 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
         If the lubricant is dirtier than all classes of the standard.
     """
     case, varied = _case_and_varied(source)
-    model = case.life or LifeModel()
+    model = case.life or LifeModel.model_construct()
 
     def number(name: str) -> Any:
         given = varied.get(f"life.{name}")

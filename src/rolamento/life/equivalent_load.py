@@ -31,7 +31,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
-from rolamento.ratings import RatedType, RollerRated
+from rolamento.ratings import RatedType, RollerRated, rated_as
 from rolamento.records import frozen
 from rolamento.validate import numbers, positive
 from rolamento.words import said
@@ -184,7 +184,7 @@ def static_equivalent_load(
         return np.asarray(np.maximum(radial, rows * (0.5 * radial + y * axial)))
     if kind != "radial":
         tangent = _tangent(contact_angle)
-        if kind == "self_aligning":
+        if not rated_as(kind)["axial"]:
             return np.asarray(np.maximum(radial, radial + 0.44 / tangent * axial))
         return np.asarray(
             np.where(np.isinf(tangent), axial, 2.3 * radial * _finite(tangent) + axial)
@@ -262,7 +262,7 @@ def _factors_by_angle(contact_angle: ArrayLike, kind: RatedType | RollerRated) -
     """X, Y and e of self-aligning and of thrust bearings, which depend on the angle alone."""
     tangent = _tangent(contact_angle)
     ones = np.ones(np.shape(tangent))
-    if kind == "self_aligning":
+    if not rated_as(kind)["axial"]:
         return LoadFactors(ones, 0.42 / tangent, 0.65 * ones, 0.65 / tangent, 1.5 * tangent)
     right = np.isinf(tangent)
     slope = _finite(tangent)

@@ -37,7 +37,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
-from rolamento.ratings import RatedType
+from rolamento.ratings import RatedType, rated_as
 from rolamento.records import frozen
 from rolamento.validate import numbers, positive
 from rolamento.words import said
@@ -150,7 +150,7 @@ def race_ratings(
     )
     grooves = (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
     ratio = ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves
-    if kind == "thrust":
+    if rated_as(kind)["axial"]:
         ball = rating / (numbers(ball_count, "ball_count") * np.sin(angle))
         return RaceRatings(
             np.asarray(ball * (1.0 + ratio**_RISK) ** (1.0 / _RISK)),

@@ -39,7 +39,7 @@ from rolamento.life.theory import (
     Theory,
 )
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.ratings import RatedType
+from rolamento.ratings import RatedType, rated_as
 from rolamento.validate import numbers, positive
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ def fatigue_load_limit_of_contacts(
         unit = elliptical_contact(1.0, curvature.rolling, curvature.across, modulus)
         loads.append((numbers(pressure, "pressure") / unit.max_pressure) ** 3)
     angle = numbers(contact_angle, "contact_angle")
-    mean = np.sin(angle) if kind == "thrust" else _RADIAL_MEAN * np.cos(angle)
+    mean = np.sin(angle) if rated_as(kind)["axial"] else _RADIAL_MEAN * np.cos(angle)
     shared = mean * numbers(ball_count, "ball_count") * numbers(rows, "rows")
     return np.asarray(shared * np.minimum(*loads) * _size_factor(pitch_diameter))
 

@@ -385,14 +385,14 @@ def _groove_factor(
     kind: RatedType,
 ) -> FloatArray:
     """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
-    if kind == "thrust":
+    if rated_as(kind)["axial"]:
         ratio = diameter / pitch
         usual = thrust_dynamic_factor(ratio, angle)
         openest = np.maximum(*grooves)
         opened = openest > rated_as(kind)["conformities"][0]
         return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
     gamma = diameter * np.cos(angle) / pitch
-    if kind == "self_aligning":
+    if kind != "radial":
         own, least = grooves[0], SELF_ALIGNING_CONFORMITY
         lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
         return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))

@@ -20,7 +20,7 @@ import io
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from functools import cache, cached_property, partial, update_wrapper
+from functools import cache, cached_property, partial, update_wrapper, wraps
 from hashlib import sha256
 from importlib import import_module
 from itertools import count
@@ -39,6 +39,7 @@ _DIGEST = sha256().digest_size
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
 _LINKED = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """Options of what only kernels call: nothing in Python does, nor a program in C."""
+_OF_ARRAYS = "numba.np.arraymath"
 _FAMILIES = (  # where kernels live, each with the formulas that they are compiled from
     ("numerics", "rows/ball", "rows/ball/traction"),
     ("numerics", "contact", "rows/roller"),
@@ -46,7 +47,7 @@ _FAMILIES = (  # where kernels live, each with the formulas that they are compil
     ("numerics", "friction"),
     ("numerics", "."),
 )
-_DECORATED = re.compile(r"^ *@(\w*kernel|shared|filling|inline_\w+|vector_loop)$", re.MULTILINE)
+_DECORATED = r"(?m)^ *@(\w*kernel|shared|filling|inline_\w+|vector_loop)$"
 _CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
 
@@ -188,7 +189,8 @@ def _numba() -> Any:
     cpu: Any = import_module("numba.core.cpu")
     load = cpu.CPUContext.load_additional_registries
     cpu.CPUContext.load_additional_registries = _without_linear_algebra(load)
-
+    environment: Any = import_module("numba.core.environment")
+    environment._rebuild_env = _without_linear_algebra(environment._rebuild_env)
     cpu.CPUContext.get_executable = _only_of_kernels(cpu.CPUContext.get_executable)
 
     @typeof_impl.register(Kernel)
@@ -240,24 +242,27 @@ def _has(library: Any, name: str) -> bool:
         return False
 
 
-def _without_linear_algebra(load: Callable[[Any], None]) -> Callable[[Any], None]:
-    """Load what Numba compiles with without SciPy's linear algebra, which takes as long again.
+def _without_linear_algebra(act: Callable[..., Any]) -> Callable[..., Any]:
+    """Have Numba import what it knows of arrays without SciPy's linear algebra, 0.1 s of it.
 
-    Numba imports that only to say whether it is there, and anew where a kernel would call it.
+    It imports that only to say whether it is there, and anew where a kernel would call it. `act`
+    imports the module of its first argument, or all that Numba compiles with.
     """
 
-    def load_without(target_context: Any) -> None:
-        linalg: Any = import_module("numba.np.linalg")
-        looks = linalg.ensure_blas
-        linalg.ensure_blas = lambda: None
-        try:
-            arrays: Any = import_module("numba.np.arraymath")
-            arrays.ensure_blas = looks
-        finally:
-            linalg.ensure_blas = looks
-        load(target_context)
+    @wraps(act)  # kernels on disk name it
+    def act_without(of: Any, *others: Any) -> Any:
+        if of == _OF_ARRAYS or not isinstance(of, str):
+            linalg: Any = import_module("numba.np.linalg")
+            looks = linalg.ensure_blas
+            linalg.ensure_blas = lambda: None
+            try:
+                arrays: Any = import_module(_OF_ARRAYS)
+                arrays.ensure_blas = looks
+            finally:
+                linalg.ensure_blas = looks
+        return act(of, *others)
 
-    return load_without
+    return act_without
 
 
 @cache
@@ -394,4 +399,4 @@ def _discard_stale_caches() -> None:
 
 def _is_compiled(source: Path) -> bool:
     """Whether a file holds kernels or formulas, or constants that they were compiled with."""
-    return source.stem in _CONSTANTS or bool(_DECORATED.search(source.read_text("utf-8")))
+    return source.stem in _CONSTANTS or bool(re.search(_DECORATED, source.read_text("utf-8")))

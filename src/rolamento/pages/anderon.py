@@ -76,7 +76,7 @@ def noise_statement(found: NoiseResult) -> str:
     """Return what the noise of one signal, or of several, comes to."""
     count, rejected = len(found.measured), found.verdicts.count("rejected")
     if not found.full_scales:
-        return said("No verdict: no full scale is given (--full-scale).")
+        return said("No verdict: no full scale is given (`full_scale`).")
     if rejected and count > 1:
         return said("Rejected: {rejected} of {count} signals.", rejected=rejected, count=count)
     if rejected:

@@ -148,7 +148,7 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> do
         raceways = [_column(found, name, head, "mm") for name, head in names.items()]
         told = [one for one in raceways if any(value is not None for value in one.values)]
         columns = (*columns[:5], *told, *columns[6:-1])
-    more = said("… and more: type more of the designation, or use --most")
+    more = said("… and more: type more of the designation, or use `most`")
     table = doc.Table(columns, "bearings", legends=() if is_all else (more,))
     return doc.Document(title, (doc.Section(blocks=(table,), key="bearings"),), "catalogue")
 
@@ -189,13 +189,13 @@ def bearing_page(geometry: InternalGeometry) -> doc.Document:
     if not geometry.has_elements and bearing.has_rollers:
         text = said(
             "Neither rollers nor load ratings are published: give roller_count, roller_diameter,"
-            " effective_length and pitch_diameter, or the ratings with --dynamic and --static."
+            " effective_length and pitch_diameter, or the ratings with `dynamic` and `static`."
         )
         sections.append(doc.Section(blocks=(doc.Statement(text, "strong"),)))
     elif not geometry.has_elements:
         text = said(
             "Neither balls nor load ratings are published: give ball_count, ball_diameter and"
-            " pitch_diameter, or the ratings with --dynamic and --static."
+            " pitch_diameter, or the ratings with `dynamic` and `static`."
         )
         sections.append(doc.Section(blocks=(doc.Statement(text, "strong"),)))
     else:

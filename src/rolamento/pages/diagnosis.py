@@ -238,7 +238,7 @@ def _search(found: DiagnosisResult) -> Iterable[str]:
     else:
         yield said("cage within {tolerance:.3 %} of its nominal speed", tolerance=tolerance)
     if found.slip is not None:
-        yield said("wider than --slip, to cover the range over the balls")
+        yield said("wider than `slip`, to cover the range over the balls")
     yield said(
         "noise alone gives a finding in at most {alarm:.3 %} of records",
         alarm=found.settings.false_alarm,

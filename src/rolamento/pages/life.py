@@ -820,7 +820,7 @@ def life_section(solved: Solved, summary: LifeSummary) -> doc.Section:
     blocks: list[doc.Block] = list(statement(solved, summary))
     if numbers:
         blocks.append(doc.Statement("; ".join(numbers), indent=2))
-    hint = said("all theories, and what would help: rolamento life")
+    hint = said("all theories, and what would help: `rolamento life`")
     blocks.append(doc.Statement(hint, "faint", indent=2))
     return doc.Section(said("Life"), tuple(blocks), "life")
 

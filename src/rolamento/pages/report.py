@@ -933,8 +933,8 @@ def _missing(report: Report) -> tuple[doc.Remark, ...]:
     solved = [case for case in report.cases if case.converged]
     texts = (
         ("life", said("Ratings and lives: see the summary.")),
-        ("film", said("Lubricant film: requires [lubricant] and temperature.lubricant.")),
-        ("friction", said("Friction: requires [lubricant] and temperature.lubricant.")),
+        ("film", said("Lubricant film: requires [lubricant] and `temperature.lubricant`.")),
+        ("friction", said("Friction: requires [lubricant] and `temperature.lubricant`.")),
         ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),
     )
     remarks = [

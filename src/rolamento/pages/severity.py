@@ -68,7 +68,7 @@ def severity_statement(found: SeverityResult) -> str:
     if zone is None:
         return said(
             "{velocity:.3 mm/s} RMS; the zone depends on the class of the machine, which is not"
-            " given (--power and --support, or --class).",
+            " given (`power` and `support`, or `machine_class`).",
             **values,
         )
     values |= {"zone": zone, "meaning": zone_meaning(zone)}
@@ -147,7 +147,7 @@ def _facts(found: SeverityResult) -> tuple[doc.Entry, ...]:
             )
             if isfinite(setting.baseline)
             else said(
-                "{alarm:.3 mm/s}: boundary B/C, as no baseline is given (--baseline)",
+                "{alarm:.3 mm/s}: boundary B/C, as no baseline is given (`baseline`)",
                 alarm=setting.alarm,
             )
         )

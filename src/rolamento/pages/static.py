@@ -245,7 +245,7 @@ def _launch(found: StaticSafety, level: int) -> doc.Section:
     blocks += _gaps(found)
     if not blocks:
         text = said("No allowable pressure is on file for this ring material; give"
-                    " static.allowable_pressure.")  # fmt: skip
+                    " `static.allowable_pressure`.")  # fmt: skip
         blocks.append(doc.Statement(text, "faint", indent=2))
     return doc.Section(said("Allowable pressure and gaps"), tuple(blocks), "static_launch", level)
 

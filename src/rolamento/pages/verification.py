@@ -119,7 +119,7 @@ def term(text: str) -> str:
 def _introduction(title: str) -> doc.Section:
     text = said(
         "Published numbers beside those that this program gives. This page is written by"
-        " {command}; rolamento verify prints the same in a terminal, with exit code 1 if a number"
+        " {command}; `rolamento verify` prints the same in a terminal, with exit code 1 if a number"
         " fails.",
         command=COMMAND,
     )

@@ -79,7 +79,7 @@ MODELS: Final[Mapping[str, str]] = {
 _TRY: Final[Mapping[str, str]] = {
     "three_parameter": marked(
         "The best fit is {name}: nothing may fail before {location} {unit}. Repeat with"
-        " --three-parameter."
+        " `three_parameter`."
     ),
     "lognormal": marked(
         "The best fit is {name}, as where damage grows in proportion to its extent."

@@ -6,7 +6,8 @@ points; the general equilibrium lives in `rolamento.rows.ball`.
 
 from __future__ import annotations
 
-from rolamento.static._common import BallBearing, RaceStiffness, StaticStatus, race_stiffness
+from rolamento.contact.race import BallBearing, RaceStiffness, race_stiffness
+from rolamento.static._common import StaticStatus
 from rolamento.static.one_sided import AxialSolution, CombinedSolution, axial_load, combined_load
 from rolamento.static.radial import RadialSolution, radial_load
 from rolamento.static.sjovall import load_zone_half_angle, sjovall_axial, sjovall_radial

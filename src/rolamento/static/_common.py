@@ -1,43 +1,15 @@
-"""What the closed analyses share: what they read of a bearing, their status, its stiffness."""
+"""What the closed analyses share: how each ended."""
 
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from rolamento.contact.hertz import (
-    ElasticMaterial,
-    contact_stiffness,
-    effective_modulus,
-    series_stiffness,
-)
-from rolamento.geometry import BearingGeometry, Race, race_curvature
-from rolamento.numerics import BoolArray, FloatArray
-from rolamento.records import frozen
+from rolamento.numerics import BoolArray
 
 StatusArray = NDArray[np.int64]
-
-
-class BallBearing(BearingGeometry, Protocol):
-    """What the static analyses read of a bearing: its geometry, balls and materials."""
-
-    @property
-    def ball_count(self) -> int:
-        """Z."""
-        ...
-
-    @property
-    def ring_material(self) -> ElasticMaterial:
-        """Material of both rings."""
-        ...
-
-    @property
-    def ball_material(self) -> ElasticMaterial | None:
-        """Material of the balls; None: that of the rings."""
-        ...
 
 
 class StaticStatus(IntEnum):
@@ -52,47 +24,8 @@ class StaticStatus(IntEnum):
     for the axial load."""
 
 
-@frozen
-class RaceStiffness:
-    """Contact stiffness of a ball at the inner and outer race, and of both in line; N/m^1.5."""
-
-    inner: FloatArray
-    outer: FloatArray
-    combined: FloatArray
-
-
-def race_stiffness(bearing: BallBearing, contact_angle: ArrayLike) -> RaceStiffness:
-    """Hertz stiffness at both races for a ball at a contact angle.
-
-    Parameters
-    ----------
-    bearing : any object with the attributes of `BallBearing`; SI.
-    contact_angle : array, the same at both races; rad.
-
-    Returns
-    -------
-    RaceStiffness of that shape; N/m^1.5.
-
-    Radaelli (2013) eqs. 10 and 11.
-    """
-    inner = _stiffness(bearing, contact_angle, "inner", bearing.inner_conformity)
-    outer = _stiffness(bearing, contact_angle, "outer", bearing.outer_conformity)
-    return RaceStiffness(inner, outer, series_stiffness(inner, outer))
-
-
 def status_codes(converged: BoolArray, valid: BoolArray, supported: BoolArray) -> StatusArray:
     """Status of each case; the gravest reason wins."""
     status = np.where(converged, StaticStatus.CONVERGED, StaticStatus.NOT_CONVERGED)
     status = np.where(supported, status, StaticStatus.NO_EQUILIBRIUM)
     return np.asarray(np.where(valid, status, StaticStatus.INVALID_LOAD), dtype=np.int64)
-
-
-def _stiffness(
-    bearing: BallBearing, contact_angle: ArrayLike, race: Race, conformity: float
-) -> FloatArray:
-    rings, balls = bearing.ring_material, bearing.ball_material
-    modulus = effective_modulus(rings, rings if balls is None else balls)
-    curvature = race_curvature(
-        bearing.ball_diameter, bearing.pitch_diameter, conformity, contact_angle, race
-    )
-    return contact_stiffness(curvature.rolling, curvature.across, modulus)

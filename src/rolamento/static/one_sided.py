@@ -24,17 +24,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.contact.race import BallBearing, RaceStiffness, race_stiffness
 from rolamento.geometry import RingGeometry, ring_geometry
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
-from rolamento.static._common import (
-    BallBearing,
-    RaceStiffness,
-    StatusArray,
-    race_stiffness,
-    status_codes,
-)
+from rolamento.static._common import StatusArray, status_codes
 from rolamento.static.sjovall import (
     half_power_means,
     load_zone_half_angle,

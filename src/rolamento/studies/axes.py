@@ -19,7 +19,7 @@ from pydantic import (
 )
 
 from rolamento.case.former import current
-from rolamento.case.quantity import Count, Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Count, Line
 from rolamento.case.record import Record
 from rolamento.errors import ABSENT, InputError
 from rolamento.studies import fields
@@ -129,7 +129,7 @@ class Axis(Record):
 
     @model_validator(mode="after")
     def _one_kind(self, info: ValidationInfo) -> Self:
-        in_file = at_the_border(info.context)
+        in_file = info.context == AT_THE_BORDER
         if (self.field is None) == (self.zipped is None):
             raise InputError(
                 said("must be given; alternatively, zip several fields"),
@@ -217,7 +217,7 @@ class Axis(Record):
     def _with_units(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
         """Write quantities with units where a person reads, and leave out what says nothing."""
         table: dict[str, Any] = handler(self)
-        if not at_the_border(info.context):
+        if info.context != AT_THE_BORDER:
             return table
         kept = {key: value for key, value in table.items() if value not in (None, "", "linear")}
         if self.field is not None:

@@ -25,7 +25,7 @@ from pydantic import (
 )
 
 from rolamento.case.former import with_current_names
-from rolamento.case.quantity import Count, Ratio, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Count, Quantity
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.studies import fields
@@ -496,7 +496,7 @@ class Correlation(Record):
     fields: tuple[FieldName, FieldName] = Field(
         examples=['["bearing.inner_conformity", "bearing.outer_conformity"]']
     )
-    coefficient: Annotated[float, Ratio(at_least=-1.0, at_most=1.0)] = Field(examples=[0.6])
+    coefficient: Annotated[float, Quantity(at_least=-1.0, at_most=1.0)] = Field(examples=[0.6])
 
 
 class Scatter(Record):
@@ -524,7 +524,7 @@ class Scatter(Record):
 
     @model_validator(mode="after")
     def _consistent(self, info: ValidationInfo) -> Self:
-        in_file = at_the_border(info.context)
+        in_file = info.context == AT_THE_BORDER
         fields.refuse_rivals(tuple(self.fields), at="fields")
         for name, distribution in self.fields.items():
             field = fields.read_varied(name, at="fields")
@@ -567,7 +567,7 @@ class Scatter(Record):
     def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
         """Write quantities with units where a person reads."""
         table: dict[str, Any] = handler(self)
-        if not at_the_border(info.context):
+        if info.context != AT_THE_BORDER:
             return table
         table["fields"] = {
             name: distribution.written(fields.read_varied(name)).model_dump(exclude_none=True)

@@ -99,7 +99,7 @@ class Store:
             raise FileError(
                 said(
                     "contains parts of another study, or of another version of Rolamento; "
-                    "--restart discards them"
+                    "`restart` discards them"
                 ),
                 source=str(self.folder),
             )

@@ -21,7 +21,7 @@ from pydantic import (
 )
 
 from rolamento.case import Case, is_designation, load_case
-from rolamento.case.fields import OVERRIDE_SOURCE, Changes, overridden
+from rolamento.case.fields import Changes, read_changed
 from rolamento.case.former import OUTPUTS, current
 from rolamento.case.machine import (
     Machine,
@@ -31,7 +31,7 @@ from rolamento.case.machine import (
     with_values,
 )
 from rolamento.case.machine_files import with_files
-from rolamento.case.quantity import Count, Line, at_the_border
+from rolamento.case.quantity import AT_THE_BORDER, Count, Line
 from rolamento.case.record import Record
 from rolamento.case.variant import Variant, with_the_case
 from rolamento.errors import InputError
@@ -300,7 +300,7 @@ class Study(Record):
     def _written(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo) -> Any:
         """Leave out what says nothing, where a person reads."""
         table: dict[str, Any] = handler(self)
-        if not at_the_border(info.context):
+        if info.context != AT_THE_BORDER:
             return table
         kept = {key: value for key, value in table.items() if value not in ("", (), [], None)}
         return {
@@ -460,12 +460,11 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, changes: Changes) -> Case
             value=given,
             example='case = "case.toml"',
         )
-    tables, set_fields = overridden(given, changes, Case)
     try:
-        return Case.from_mapping(tables)
+        return read_changed(given, changes, Case)
     except InputError as error:
-        if error.field in set_fields and not isinstance(changes, Mapping):
-            raise error.with_details(source=OVERRIDE_SOURCE) from None
+        if error.source:
+            raise
         raise error.with_details(field=f"case.{error.field}".rstrip(".")) from None
 
 

@@ -100,7 +100,7 @@ class KeptCases:
         if plan.cases > MOST_KEPT_CASES:
             raise InputError(
                 said(
-                    "would hold {cases} cases, and takes {most} at most; --output writes more",
+                    "would hold {cases} cases, and takes {most} at most; `output` writes more",
                     cases=plan.cases,
                     most=MOST_KEPT_CASES,
                 ),

@@ -32,8 +32,6 @@ from rolamento.solved.tables import GEOMETRY_COLUMNS
 from rolamento.status import NOT_CONVERGED
 from rolamento.system.cases import Cases
 from rolamento.system.guidance import S, System, solve_by_jones
-from rolamento.system.network import seen_by_row
-from rolamento.system.ring import RowsOnRing, condensed
 
 
 @frozen
@@ -78,6 +76,8 @@ def balance(cases: Cases, film: Film | None = None) -> Balanced:
 
 
 def _on_ring(cases: Cases) -> Balanced:
+    from rolamento.system.ring import RowsOnRing, condensed
+
     system = RowsOnRing.of(cases)
     solution, control, shown = _guided(system, cases.case.model.raceway_control)
     status = Status(
@@ -144,6 +144,8 @@ def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
     """What the ring carries through each row; (cases, rows, 5), in the bearing's frame."""
     if cases.alone is not None:
         return load[:, np.newaxis]
+    from rolamento.system.network import seen_by_row
+
     parts = [
         np.einsum("nij,nfi->nfj", seen_by_row(placed.sign, placed.lever), held.face_forces)
         for placed, held in zip(cases.rows, balanced.rows, strict=True)

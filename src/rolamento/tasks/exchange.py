@@ -120,7 +120,7 @@ class ExportRequest(MachineRequest):
         designation; - for standard input.
     output
         File to write, whose ending says the format: .rexs, .rexsj, .rexsz (REXS, by default); .toml
-        (elements for ROSS, with --ross), .py (rotors for ROSS); .csv, .mat (MATLAB), .txt
+        (elements for ROSS, with `ross`), .py (rotors for ROSS); .csv, .mat (MATLAB), .txt
         (Modelica): tables of stiffness and force; .fmu (FMI); .xlsx (the machine as a workbook).
     settings
         Override a field of the machine or the case. Repeatable.

@@ -154,7 +154,7 @@ class FrictionRequest(OverRequest):
         " --plot friction.png."
     )
     products: ClassVar = drawn(
-        marked("With --over, draw it: a .png, .svg or .pdf file."),
+        marked("With `over`, draw it: a .png, .svg or .pdf file."),
         lambda asked: needs_over(asked, "plot"),
     )
 
@@ -218,7 +218,7 @@ class HeatRequest(RangeRequest):
         Springs beside rigid preload, ceramic beside steel, the distance of rows that keeps the
         preload, the highest speed.
     oil_for
-        With --compare, the oil flow that keeps every part below it, such as '60 degC'.
+        With `compare`, the oil flow that keeps every part below it, such as '60 degC'.
     """
 
     over: Annotated[

@@ -73,7 +73,7 @@ class OscillationRequest(CaseRequest):
         Oscillations, there and back, such as 2Hz or '30 1/min'.
     spectrum
         Histogram: a column share (of the time) or revolutions (of the oscillations), and fields
-        such as duty.oscillation.angle.
+        such as `duty.oscillation.angle`.
     decimal_mark
         Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.
     """
@@ -250,7 +250,7 @@ class LifeRequest(OverRequest):
         " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN."
     )
     products: ClassVar = drawn(
-        marked("With --over, draw it: a .png, .svg or .pdf file."),
+        marked("With `over`, draw it: a .png, .svg or .pdf file."),
         lambda asked: needs_over(asked, "plot"),
     )
 

@@ -19,6 +19,7 @@ from rolamento.case.roller_bearing import RollerBearing
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import EXPONENT as LINE
 from rolamento.contact.line import pair_constant
+from rolamento.contact.race import race_stiffness
 from rolamento.errors import InputError
 from rolamento.io.json import dumps
 from rolamento.life import Headline, Life, LifeSummary, life
@@ -37,7 +38,6 @@ from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.static._common import race_stiffness
 from rolamento.studies.fields import Value
 from rolamento.studies.ranges import Range, read_range, refuse_many_singles
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case

@@ -78,7 +78,7 @@ class ShaftRequest(MachineRequest):
     Parameters
     ----------
     kind
-        With --plot: machine (drawing, deflection, moments, stress), drawing, deflection (of --step,
+        With `plot`: machine (drawing, deflection, moments, stress), drawing, deflection (of `step`,
         or of all steps), forces (shear, moment, axial force, torque, stress), bearings (a load
         rosette each).
     step
@@ -86,7 +86,7 @@ class ShaftRequest(MachineRequest):
     over
         Vary a field of the machine, such as loads.0.fz=-1..-10kN.
     points
-        With --over, values of it, 2 to 500.
+        With `over`, values of it, 2 to 500.
     heat
         How warm the bearings run, and what becomes of their loads: [heat].
     """

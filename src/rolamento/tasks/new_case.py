@@ -47,7 +47,7 @@ TABLES: Final = {
     "duty.displacement": marked("Displacements that are imposed instead of loads. A tilt without "
                                 "a moment or a value is held at zero."),
     "duty.oscillation": marked("A ring that swings to and fro in the place of speeds, for "
-                               "rolamento oscillation."),
+                               "`rolamento oscillation`."),
     "model": marked("Hypotheses of the calculation."),
     "lubricant": marked("Oil or grease: for film, friction and modified life."),
     "surface": marked("Roughness, for the film parameter."),
@@ -55,15 +55,15 @@ TABLES: Final = {
     "mounting": marked("Fits: with this table the bearing is solved with the clearance that fits, "
                        "temperatures and speed leave."),
     "film": marked("How the film thickness is calculated."),
-    "grease": marked("The grease and how it is kept, for rolamento grease."),
-    "heat": marked("Ways of the heat out of the bearing, for rolamento heat; conductances that "
+    "grease": marked("The grease and how it is kept, for `rolamento grease`."),
+    "heat": marked("Ways of the heat out of the bearing, for `rolamento heat`; conductances that "
                    "are not given are estimated."),
-    "static": marked("Demands on the static safety, for rolamento static; hardness of the "
+    "static": marked("Demands on the static safety, for `rolamento static`; hardness of the "
                      "raceways."),
-    "electrical": marked("Voltage and current across the bearing, for rolamento electrical."),
+    "electrical": marked("Voltage and current across the bearing, for `rolamento electrical`."),
     "losses": marked("Seals and oil bath, for the friction; seals are those of the designation."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
-    "report": marked("Title block of rolamento report."),
+    "report": marked("Title block of `rolamento report`."),
 }  # fmt: skip
 """What stands above each table of a case, and above the whole."""
 

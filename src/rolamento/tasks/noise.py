@@ -398,7 +398,7 @@ class NoiseLevel(SignalRequest):
             check=_check_picture,
         ),
         "record": Product(
-            marked("Write the levels over the hours, as rolamento trend reads them."),
+            marked("Write the levels over the hours, as `rolamento trend` reads them."),
             lambda asked, found: found.record(),
             is_picture=False,
             check=_check_record,

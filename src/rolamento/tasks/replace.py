@@ -191,7 +191,7 @@ class LivesRequest(LifeTable):
     ----------
     data
         Lives: columns time and status, of failed bearings and of those in service; - for standard
-        input. Without it, --shape and --scale or --l10.
+        input. Without it, `shape` and `scale` or `l10`.
     example
         Shipped lives: campanha-2008 or lieblein-zelen-1956.
     only

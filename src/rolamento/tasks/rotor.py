@@ -112,7 +112,7 @@ class RotorRequest(MachineRequest):
     damping
         Damping over stiffness, in s; of the response 1e-5 by default, with a note.
     picture
-        What --plot draws: campbell, modes or unbalance.
+        What `plot` draws: campbell, modes or unbalance.
     """
 
     speeds: Annotated[str | None, Input(example=_EXAMPLE, metavar="FIRST..LAST")] = None

@@ -27,7 +27,8 @@ class ClearanceRequest(CaseRequest):
     Parameters
     ----------
     case
-        Case file with a [mounting], or a designation and its fits by --set; - for standard input.
+        Case file with a [mounting], or a designation and its fits by `changes`; - for standard
+        input.
     samples
         Number of bearings to sample from their tolerances, up to a million.
     seed

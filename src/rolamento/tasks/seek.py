@@ -143,7 +143,7 @@ class GoalSeek(CaseRequest):
     Parameters
     ----------
     vary
-        Field to vary, such as bearing.preload, or with its range, FIELD=FIRST..LAST; by default
+        Field to vary, such as `bearing.preload`, or with its range, FIELD=FIRST..LAST; by default
         around its value, up to a hundred times as much.
     wanted
         Output and the value that it should have, such as 'stiffness_xx=200 N/um' or

@@ -514,7 +514,7 @@ class VibrationSeverity(SignalRequest):
             lambda asked, found: found.picture(),
         ),
         "record": Product(
-            marked("Write the velocities over the hours, as rolamento trend reads them."),
+            marked("Write the velocities over the hours, as `rolamento trend` reads them."),
             lambda asked, found: found.record(),
             is_picture=False,
             check=check_times,

@@ -168,7 +168,7 @@ def _executor(threads: int | None, scheduler: str | None) -> Executor:
         return local_threads(threads)
     if threads is not None:
         raise InputError(
-            said("cannot be combined with --scheduler: the cluster has its own threads"),
+            said("cannot be combined with `scheduler`: the cluster has its own threads"),
             field="threads",
             value=threads,
         )

@@ -41,7 +41,7 @@ class VibrationDiagnosis(SignalRequest):
         Designation such as 6205, or a case file; for a case with a load, the frequencies of
         the loaded bearing are searched. 'unknown' ranks the bearings of the catalogue.
     machine
-        File of a machine with several bearings, shafts and gears, instead of --bearing: all
+        File of a machine with several bearings, shafts and gears, instead of `bearing`: all
         are tested together.
     baseline
         Record of the machine in good order, or a folder of them; may be repeated. Damage is
@@ -66,7 +66,7 @@ class VibrationDiagnosis(SignalRequest):
     pulses
         Tachometer pulses per revolution (default 1).
     track
-        Track the speed in the vibration itself, around --speed; at least 96 revolutions.
+        Track the speed in the vibration itself, around `speed`; at least 96 revolutions.
     within
         Maximum deviation of a tracked speed from the one given, up to 30 % (default 10 %).
     tolerance
@@ -258,6 +258,6 @@ class VibrationDiagnosis(SignalRequest):
 def _drawn(found: Any, option: str) -> DiagnosisResult:
     """Refuse to draw several records, or several bearings, which a report draws."""
     if not isinstance(found, DiagnosisResult):
-        rule = said("goes with one record; --report draws the others")
+        rule = said("goes with one record; `report` draws the others")
         raise InputError(rule, field=option, example="--report page.pdf")
     return found

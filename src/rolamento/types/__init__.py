@@ -45,7 +45,6 @@ __all__ = [
     "RollerElement",
     "RollerRings",
     "of_balls",
-    "of_grooves",
     "type_of_element",
 ]
 
@@ -103,21 +102,18 @@ BY_ELEMENT: Final[Mapping[str, BearingType]] = MappingProxyType(
 """The plain type of each rolling element, the first of its kind."""
 
 
-def type_of_element(element: str) -> BearingType:
-    """Return the plain type of a rolling element, a key of a case file such as ``"tapered"``."""
-    return BY_ELEMENT[element]
+def type_of_element(element: str, kind: str | None = None) -> BearingType:
+    """Return the type by what rolls, such as ``"tapered"``, and by the ``kind`` of the rings.
+
+    Where no such rollers roll in such rings, the first type of rollers that has them.
+    """
+    if kind is None:
+        return BY_ELEMENT[element]
+    if (element, kind) in _BY_RINGS:
+        return _BY_RINGS[element, kind]
+    return next(one for one in TYPES.values() if one.has_rollers and one.grooves == kind)
 
 
 def of_balls(*, angled: bool) -> BearingType:
     """Return the type of a row of balls in plain grooves, by whether it has a contact angle."""
     return angular_contact.TYPE if angled else deep_groove.TYPE
-
-
-def of_grooves(grooves: str, element: str = BALL) -> BearingType:
-    """Return the type by its rings, the ``kind`` of a record: of balls such as ``"four_point"``.
-
-    Where no such rollers roll in such rings, the first type that has them.
-    """
-    if (element, grooves) in _BY_RINGS:
-        return _BY_RINGS[element, grooves]
-    return next(one for one in TYPES.values() if one.has_rollers and one.grooves == grooves)

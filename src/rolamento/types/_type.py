@@ -54,8 +54,8 @@ class BearingType:
         Rows of rolling elements of such a bearing in a catalogue.
     rated_together
         Whether its rows have one rating.
-    contacts_per_ring
-        Arcs that a ball has in each ring.
+    has_arches
+        Whether a ball touches each ring on two arcs.
     conical
         Whether its rollers are cones: their angle takes the place of a clearance, they carry axial
         load one way, and lean on a rib at their large end.
@@ -116,7 +116,7 @@ class BearingType:
     in_pairs: bool = False
     rows: int = 1
     rated_together: bool = False
-    contacts_per_ring: int = 1
+    has_arches: bool = False
     conical: bool = False
     inclined: bool = False
     floats: bool = False
@@ -155,11 +155,6 @@ class BearingType:
     def rolls(self) -> str:
         """``"ball"`` or ``"roller"``."""
         return BALL if self.element == BALL else ROLLER
-
-    @property
-    def has_arches(self) -> bool:
-        """Whether a ball touches each ring on two arcs."""
-        return self.contacts_per_ring > 1
 
     @property
     def is_double_row(self) -> bool:

@@ -15,6 +15,7 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Final
@@ -36,8 +37,9 @@ from rolamento.tasks.weibull import DemonstrationTest, LifeTestEvaluation
 from rolamento.validate import one_of
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
+from rolamento.web.form import as_labelled
 from rolamento.web.limits import slow
-from rolamento.words import calling, manner, marked, said
+from rolamento.words import manner, marked, said, spelling
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -359,11 +361,10 @@ def _labelled(requests: Sequence[type[UseCase]], path: str = "", label: str = ""
     """Call what is said as the page does: fields by their labels, the file by its own name."""
     known = {name: one for request in requests for name, one in request.inputs().items()}
     labels = {name: said(one.label) for name, one in known.items()}
-    names = {
-        one.long_option(name): said("“{label}”", label=labels[name]) for name, one in known.items()
-    }
+    names = {name: said("“{label}”", label=label) for name, label in labels.items()}
+    names["rolamento diagnose"] = said("the diagnosis")
     try:
-        with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
+        with spelling(partial(as_labelled, names)):
             yield
     except InputError as error:
         field = error.source if error.source in labels else error.field

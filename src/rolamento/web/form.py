@@ -7,7 +7,7 @@ an engineer moves with a slider, is said here.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache
+from functools import cache, partial
 from typing import Any, Final
 
 from rolamento.analysis import Analysis
@@ -24,7 +24,7 @@ from rolamento.tasks.report import Input
 from rolamento.types import BALL, ROLLER, TYPES
 from rolamento.units import Dimension, from_si, to_si, usual_units
 from rolamento.web.answers import written
-from rolamento.words import calling, language, said
+from rolamento.words import language, said, spelling
 
 __all__ = ["FIRST", "form", "in_labels", "inputs", "labelled", "likely", "suitable", "units"]
 
@@ -86,7 +86,7 @@ def in_labels(
     function: Callable[[Mapping[str, Any]], Mapping[str, Any]], asked: Mapping[str, Any]
 ) -> str:
     """Return what a function answers as JSON; fields are called as the page labels them."""
-    with calling(_labels(language())):
+    with spelling(partial(as_labelled, _labels(language()))):
         try:
             return written(function, asked)
         except InputError as error:
@@ -97,7 +97,13 @@ def in_labels(
 def _labels(_language: str) -> Mapping[str, str]:
     """What fields are called on the page, by their names, in the language that is spoken."""
     own = {name: f"“{label_of(name)}”" for name in LABELS if "." in name}
-    return {**own, " (rolamento catalogue show)": ""}  # of the command line
+    return {**own, "rolamento catalogue show": said("the catalogue")}
+
+
+def as_labelled(labels: Mapping[str, str], text: str) -> str:
+    """Spell a name in a text, or one with a value, by its label (`rolamento.words.spelling`)."""
+    name, equals, value = text.partition("=")
+    return f"{labels.get(name, name)} {equals} {value}".rstrip()
 
 
 def labelled(error: InputError) -> InputError:

@@ -22,7 +22,7 @@ from pydantic_core import CoreSchema
 from rolamento.case import Case
 from rolamento.case.fields import changed
 from rolamento.case.machine import Machine, machine_of_tables
-from rolamento.case.quantity import Ratio
+from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 from rolamento.case.report import ReportHead
 from rolamento.errors import InputError
@@ -78,7 +78,7 @@ class TablesOf:
 
 
 Text = Annotated[str, Field(strict=True, max_length=_LONGEST)]
-Number = Annotated[float, Ratio()]
+Number = Annotated[float, Quantity()]
 Flag = Annotated[bool, Field(strict=True)]
 
 
@@ -342,8 +342,8 @@ class PriorShape(Record):
         "lognormal", or "uniform": nothing outside.
     """
 
-    low: Annotated[float, Ratio(above=0.0)] = Field(examples=[1.0])
-    high: Annotated[float, Ratio(above=0.0)] = Field(examples=[2.5])
+    low: Annotated[float, Quantity(above=0.0)] = Field(examples=[1.0])
+    high: Annotated[float, Quantity(above=0.0)] = Field(examples=[2.5])
     kind: Literal["lognormal", "uniform"] = "lognormal"
 
     def to_text(self) -> str:

@@ -12,7 +12,6 @@ from rolamento.words.manner import (
 )
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
-    calling,
     counted,
     language,
     language_asked,
@@ -23,6 +22,7 @@ from rolamento.words.speaking import (
     said,
     said_in,
     speaking,
+    spelling,
 )
 
 __all__ = [
@@ -31,7 +31,6 @@ __all__ = [
     "UNITS",
     "Manner",
     "Note",
-    "calling",
     "counted",
     "decimals_for",
     "in_unit",
@@ -44,6 +43,7 @@ __all__ = [
     "said",
     "said_in",
     "speaking",
+    "spelling",
     "unit_of",
     "worded",
 ]

@@ -14,7 +14,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache, lru_cache
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -24,7 +24,6 @@ from rolamento.words.manner import Manner
 __all__ = [
     "CATALOGUES",
     "DOMAIN",
-    "calling",
     "counted",
     "language",
     "language_asked",
@@ -35,6 +34,7 @@ __all__ = [
     "said",
     "said_in",
     "speaking",
+    "spelling",
 ]
 
 DOMAIN: Final = "rolamento"
@@ -46,7 +46,8 @@ _MARK: Final = "decimal mark"
 """The context of the entry by which a catalogue gives its decimal mark."""
 
 _spoken: ContextVar[str] = ContextVar("language", default=ENGLISH)
-_called: ContextVar[Callable[[str], str] | None] = ContextVar("names", default=None)
+_spelled: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
+_NAME: Final = re.compile(r"`([^`]+)`")
 
 
 @cache
@@ -109,19 +110,21 @@ def speaking(code: str | None) -> Iterator[None]:
 
 
 @contextmanager
-def calling(names: Mapping[str, str]) -> Iterator[None]:
-    """Call things otherwise within a block: options of the commands as a page does.
+def spelling(spelled: Callable[[str], str]) -> Iterator[None]:
+    """Spell the names in texts in one's own way within a block: as options, as labels of a form.
 
     Parameters
     ----------
-    names
-        What stands on the page in place of ``"--shape"``.
+    spelled
+        Takes what stands between backticks in a text: an input (``"speed"``), a field of a case
+        (``"life.cleanliness"``), either with a value (``"shape=1.5"``), or a command
+        (``"rolamento life"``). Without one they stand as they are.
     """
-    token = _called.set(_renaming(tuple(names.items())) if names else None)
+    token = _spelled.set(spelled)
     try:
         yield
     finally:
-        _called.reset(token)
+        _spelled.reset(token)
 
 
 def said(message: str, /, **values: Any) -> str:
@@ -130,7 +133,8 @@ def said(message: str, /, **values: Any) -> str:
     Parameters
     ----------
     message
-        In English; what stands in braces is filled in as `rolamento.words.manner` says.
+        In English; what stands in braces is filled in as `rolamento.words.manner` says, a name
+        between backticks as `spelling` says.
     values
         What is filled in; numbers in SI.
     """
@@ -159,23 +163,10 @@ def manner() -> Manner:
 
 
 def _filled(text: str, values: Mapping[str, Any]) -> str:
-    if called := _called.get():
-        text = called(text)
+    if "`" in text:
+        spelled = _spelled.get()
+        text = _NAME.sub(lambda found: spelled(found[1]), text)
     return manner().vformat(text, (), values) if values else text
-
-
-@lru_cache(maxsize=64)
-def _renaming(names: tuple[tuple[str, str], ...]) -> Callable[[str], str]:
-    """Replace names where they stand as whole words in a text, the longest first."""
-    new = dict(names)
-    known = "|".join(sorted(map(re.escape, new), key=len, reverse=True))
-    finder = re.compile(rf"(?:{known})(?![\w-])")
-
-    @lru_cache(maxsize=1024)  # an answer says the same two hundred texts as the last one
-    def renamed(text: str) -> str:
-        return finder.sub(lambda found: new[found[0]], text)
-
-    return renamed
 
 
 @cache

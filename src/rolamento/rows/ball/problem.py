@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from rolamento.case.bearing import Bearing
 from rolamento.case.model import Model
 from rolamento.contact.hertz import effective_modulus
+from rolamento.contact.race import race_stiffness
 from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import ball_mass, nominal_orbit
 from rolamento.records import frozen
 from rolamento.rows.ball import layout
-from rolamento.static import race_stiffness
 
 Floats = NDArray[np.float64]
 

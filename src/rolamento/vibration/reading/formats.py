@@ -39,7 +39,7 @@ _LARGEST_SHEET: Final = 256 * 2**20
 """Characters of a sheet, which has a million rows at most."""
 _NO_TEXT: Final = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f]")
 _OTHERS: Final = {
-    b"<rexs": marked("is a REXS model of a gear unit, not a signal; rolamento import reads it"),
+    b"<rexs": marked("is a REXS model of a gear unit, not a signal; `rolamento import` reads it"),
     b"\xd0\xcf\x11\xe0": marked(
         "is a file of Microsoft Office of before 2007; save it as .xlsx or as CSV"
     ),

@@ -62,7 +62,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "distance_of_seats": marked(
         "The shaft and the housing set the distance of the rows; where rings and spacers do, give"
-        " mounting.width."
+        " `mounting.width`."
     ),
     # formulas of the steps
     "step_initial": marked("P_d before mounting"),

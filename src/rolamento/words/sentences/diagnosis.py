@@ -441,7 +441,7 @@ def _rows(values: Values) -> str:
 def _other_count(values: Values) -> str:
     return said(
         "The number of rollers is estimated: if there are {count}, the peak at {frequency} Hz is"
-        " that of {part}. Count them and give --set bearing.roller_count=N.",
+        " that of {part}. Count them and give `bearing.roller_count=N`.",
         frequency=hertz(values["frequency"]), part=the_part(values["part"]), count=values["count"],
     )  # fmt: skip
 
@@ -499,19 +499,19 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "Recommendation: remove the causes of doubt, or measure for longer or elsewhere."
     ),
     "compare_with_healthy": marked(
-        "Recommendation: compare with records of the same machine in good order (--baseline): a"
+        "Recommendation: compare with records of the same machine in good order (`baseline`): a"
         " modulation that was always there is not damage."
     ),
     "find_cage_speed": marked(
         "Recommendation: check the load and the contact angle, which set the speed of the cage, and"
-        " the designation; give a case with the load, or allow more --slip."
+        " the designation; give a case with the load, or allow more `slip`."
     ),
     "explain_impacts": marked(
         "Recommendation: check the speed and the designation, and name the other bearings, shafts"
-        " and gears of the machine (--machine): one of them may have this frequency."
+        " and gears of the machine (`machine`): one of them may have this frequency."
     ),
     "find_speed": marked(
-        "Recommendation: determine the speed of the shaft and give it with --speed."
+        "Recommendation: determine the speed of the shaft and give it with `speed`."
     ),
     "lines_of_other_bearings": _shared_lines,
     "lines_of_no_other_bearing": marked(

@@ -43,7 +43,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "permittivity_assumed": marked(
         "The relative permittivity is taken as {permittivity:.2}, that of mineral oils:"
-        " electrical.permittivity gives that of the lubricant."
+        " `electrical.permittivity` gives that of the lubricant."
     ),
     "outside_of_ellipses": marked(
         "The gap around an ellipse is counted by a factor of {factor:.2}; published ratios go from"

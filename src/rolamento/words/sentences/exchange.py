@@ -106,7 +106,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rexs_components_left": marked("{count} components {type} are not read: {ids}."),
     "rexs_attributes_left": marked("Attributes of {type} are not read: {attributes}."),
     "rexs_results_left": marked(
-        "The results that the file holds are not read; rolamento shaft calculates anew."
+        "The results that the file holds are not read; `rolamento shaft` calculates anew."
     ),
     "rexs_no_mass": marked("It is left out: its mass is not given."),
     "rexs_missing_component": marked("Relation {relation} names component {id}, which is missing."),
@@ -157,7 +157,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     # for simulations
     "fmu_between_points": marked(
         "Between its points the stiffness is linear: off by at most {apart:.2g %} of the greatest"
-        " of its kind halfway between them; --points takes more."
+        " of its kind halfway between them; `points` takes more."
     ),
     # for ROSS
     "coupled_by_housing": marked(

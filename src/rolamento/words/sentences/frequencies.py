@@ -22,7 +22,7 @@ def _counts(values: Mapping[str, Any]) -> str:
     return said(
         "The number of rollers was estimated from the load ratings: {shares}. The orders of the"
         " races are in proportion to it, those of cage and roller do not depend on it: count the"
-        " rollers and give --set bearing.roller_count=N.",
+        " rollers and give `bearing.roller_count=N`.",
         shares=shares,
     )
 

@@ -72,13 +72,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " hold."
     ),
     "coefficient_by_regime": marked(
-        "No coefficient of friction is given (lubricant.friction_coefficient): it is taken by the"
+        "No coefficient of friction is given (`lubricant.friction_coefficient`): it is taken by the"
         " regime of lubrication as in SKF's model, {coefficient:.2}; with its values from {low:.2}"
         " to {high:.2} the torque is {low_torque:.3 N·m} to {high_torque:.3 N·m}."
     ),
     "inlets_flooded": marked(
         "Torque and power are an upper bound: the inlets of the contacts are assumed to be full of"
-        " oil, which at this speed and viscosity is not certain (film.starvation ="
+        " oil, which at this speed and viscosity is not certain (`film.starvation` ="
         ' "replenishment" counts what is lacking).'
     ),
     "inlets_starved_as_film": marked(
@@ -87,11 +87,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "inlets_isothermal": marked(
         "Torque and power are an upper bound: the heat of shear in the inlets is left out"
-        ' (film.thermal = "none").'
+        ' (`film.thermal` = "none").'
     ),
     "rib_without_film": marked(
         "Torque and power are an upper bound: the film between roller end and rib is not known and"
-        " is assumed to be absent (bearing.roller_end_radius)."
+        " is assumed to be absent (`bearing.roller_end_radius`)."
     ),
     "torque_above_models": _above_models,
     "torque_below_models": _below_models,
@@ -113,7 +113,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " the model does not hold."
     ),
     "rib_film_unknown": marked(
-        "The film between roller end and rib is not known (bearing.roller_end_radius, lubricant,"
+        "The film between roller end and rib is not known (`bearing.roller_end_radius`, lubricant,"
         " roughness): the rib slides with the coefficient of friction of the lubricant, an upper"
         " bound."
     ),
@@ -125,7 +125,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " rows: solve one bearing alone with its share of the load."
     ),
     "friction_control_has_inertia": marked(
-        "Friction control includes the inertia of the balls: solve with model.raceway_control ="
+        "Friction control includes the inertia of the balls: solve with `model.raceway_control` ="
         ' "friction".'
     ),
 }

@@ -45,8 +45,8 @@ BASE_OILS: Final = {
 def _kind(values: Mapping[str, Any]) -> str:
     thickener, oil = THICKENERS[values["thickener"]], BASE_OILS[values["base_oil"]]
     return said(
-        "The grease is taken as {thickener} with {base_oil}: give grease.thickener and"
-        " grease.base_oil.",
+        "The grease is taken as {thickener} with {base_oil}: give `grease.thickener` and"
+        " `grease.base_oil`.",
         thickener=said(thickener),
         base_oil=said(oil),
     )
@@ -83,14 +83,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "grease_kind_inferred": _kind,
     "grease_open_assumed": marked(
         "Without a designation the bearing is taken as open, to be relubricated: give"
-        " grease.sealed."
+        " `grease.sealed`."
     ),
     "grease_sealed_by_designation": marked(
         "By its designation ({part}) the bearing is sealed or shielded on both sides: greased for"
         " life."
     ),
     "grease_open_by_designation": marked(
-        "By its designation the bearing is open, to be relubricated; grease.sealed says otherwise."
+        "By its designation the bearing is open, to be relubricated; `grease.sealed` says"
+        " otherwise."
     ),
     "grease_laws_of_deep_groove": marked(
         "The laws of the life of a grease are for sealed deep-groove ball bearings of one row: of"
@@ -109,10 +110,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "grease_limit_of_class": marked(
         "N = {speed:.3 rpm} is the mean of the maker's class of such open bearings with grease"
-        " (NSK, E1102); contact seals lower it: give grease.limiting_speed."
+        " (NSK, E1102); contact seals lower it: give `grease.limiting_speed`."
     ),
     "grease_limit_missing": marked(
-        "The limiting speed with grease is not known: give grease.limiting_speed."
+        "The limiting speed with grease is not known: give `grease.limiting_speed`."
     ),
     "grease_without_sizes": marked(
         "Without bore, outside diameter and width there is no interval and no amount: name the"
@@ -122,7 +123,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The speed is beyond the formula of the interval: grease will hardly do."
     ),
     "grease_cleanliness_assumed": marked(
-        "Normal cleanliness is assumed for the interval: give life.grease_cleanliness."
+        "Normal cleanliness is assumed for the interval: give `life.grease_cleanliness`."
     ),
     "grease_beyond_fag": marked(
         "FAG has no factors above 120 °C or P/C of 0.35: a special grease, or oil."

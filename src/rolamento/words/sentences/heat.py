@@ -126,7 +126,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "machine_heat_without_mounting": _bare,
     "machine_lubricant_keeps_temperature": marked(
-        "The lubricant keeps the temperature that is given; without temperature.lubricant it has"
+        "The lubricant keeps the temperature that is given; without `temperature.lubricant` it has"
         " the mean of the rings of each bearing."
     ),
     "limit_passed_at": marked(
@@ -138,7 +138,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "lubricant_keeps_temperature": marked(
         "The lubricant keeps the {temperature:.4 °C} that the case gives; without"
-        " temperature.lubricant it has the mean of the rings."
+        " `temperature.lubricant` it has the mean of the rings."
     ),
     "temperatures_of_balance": _replaced,
     "hotter_unstable_state": marked(

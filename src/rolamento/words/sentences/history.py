@@ -107,6 +107,6 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "bearings_with_combs": _bearings,
     "no_bearing_with_combs": marked(
         "None of the {compared} bearings in the catalogue would have any of the combs: check the"
-        " speed, or allow more --slip."
+        " speed, or allow more `slip`."
     ),
 }

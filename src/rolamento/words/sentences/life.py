@@ -119,7 +119,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "no_fatigue_load_limit": marked(
         "Without a fatigue load limit C_u there is no modified rating life: give"
-        " life.fatigue_load_limit."
+        " `life.fatigue_load_limit`."
     ),
     "no_equivalent_load": marked(
         "The standard has no equivalent load for this set: its rows differ, or it is more than a"
@@ -161,12 +161,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
     # what the number leaves out, or how it was obtained
     "lubrication_left_out": marked(
         "Lubrication and contamination are not included: the case needs the viscosity "
-        "(lubricant with its temperature, or life.viscosity_ratio) and the cleanliness "
-        "(life.cleanliness, for instance)."
+        "(lubricant with its temperature, or `life.viscosity_ratio`) and the cleanliness "
+        "(`life.cleanliness`, for instance)."
     ),
     "cleanliness_missing": marked(
         "Lubrication and contamination are not included: the case needs the cleanliness "
-        "(life.cleanliness, for instance)."
+        "(`life.cleanliness`, for instance)."
     ),
     "life_of_coupled_slices": _life_of_coupled_slices,
     "factors_of_the_user": marked(
@@ -286,11 +286,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     # why a part of an analysis is missing
     "no_temperature": marked(
-        "No film: the temperature of the lubricant is not given (temperature.lubricant)."
+        "No film: the temperature of the lubricant is not given (`temperature.lubricant`)."
     ),
     "no_temperature_no_friction": marked(
         "No film and no friction torque: the temperature of the lubricant is not given"
-        " (temperature.lubricant)."
+        " (`temperature.lubricant`)."
     ),
     "life_of_thrust_bearing": marked(
         "No life: with contact angles above 45° a bearing is rated as a thrust bearing; give"
@@ -299,11 +299,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "life_without_rating": _of_element(
         marked(
             "No life: the geometry lies outside the table of the standard (D cos α/d_m from 0.01"
-            " to 0.40), and no dynamic load rating is given (life.dynamic_rating)."
+            " to 0.40), and no dynamic load rating is given (`life.dynamic_rating`)."
         ),
         marked(
             "No life: the geometry lies outside the table of the standard (D cos α/d_pw from 0.01"
-            " to 0.30), and no dynamic load rating is given (life.dynamic_rating)."
+            " to 0.30), and no dynamic load rating is given (`life.dynamic_rating`)."
         ),
         marked(
             "No life: the geometry of a row lies outside the tables of the standard, and its"
@@ -312,7 +312,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "l_able_without_viscosity": marked(
         "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
-        " life.viscosity_ratio."
+        " `life.viscosity_ratio`."
     ),
     # what a quick analysis leaves out
     "without_friction_models": marked(

@@ -49,7 +49,7 @@ def _unstruck(values: Mapping[str, Any]) -> str:
 
 SENTENCES: Final[dict[str, Sentence]] = {
     "speed_unknown": marked(
-        "The signal does not give the speed: anderons hold for 1800 rpm. Give --speed if it was"
+        "The signal does not give the speed: anderons hold for 1800 rpm. Give `speed` if it was"
         " another."
     ),
     "speed_differs": marked(
@@ -74,6 +74,6 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " is flat."
     ),
     "signal_of_estimated_geometry": marked(
-        "The internal geometry was estimated from the load ratings (see rolamento catalogue)."
+        "The internal geometry was estimated from the load ratings (see `rolamento catalogue`)."
     ),
 }

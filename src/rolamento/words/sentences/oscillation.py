@@ -13,8 +13,8 @@ __all__ = ["SENTENCES"]
 
 SENTENCES: Final[dict[str, Sentence]] = {
     "duty_oscillates": marked(
-        "The duty oscillates, and this life is of continuous rotation: rolamento oscillation gives"
-        " the life in oscillations."
+        "The duty oscillates, and this life is of continuous rotation: `rolamento oscillation`"
+        " gives the life in oscillations."
     ),
     "oscillation_frets": marked(
         "The bearing swings by {angle:.3 °}, less than half of the critical {critical:.3 °}: no"
@@ -31,7 +31,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " and κ is of a steady speed."
     ),
     "oscillation_without_frequency": marked(
-        "Without duty.oscillation.frequency the life has no hours."
+        "Without `duty.oscillation.frequency` the life has no hours."
     ),
     "oscillation_as_own_loads": marked(
         "The load distribution is taken at the rolling elements alone: between them it is not"

@@ -66,7 +66,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "full_scale_unknown": marked(
         "Whole numbers of unknown full scale: the unit {unit} alone does not calibrate them, and"
-        " sizes stay parts of the full scale. Give what that is worth, such as --scale '5 {unit}'."
+        " sizes stay parts of the full scale. Give what that is worth, such as `scale='5 {unit}'`."
     ),
     "bits_to_full_scale": marked("Samples of {bits} bits are scaled to a full scale of 1."),
 }

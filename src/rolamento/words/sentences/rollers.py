@@ -89,7 +89,7 @@ def _edges_bear(values: Values) -> str:
     return said(
         "The ends of {rollers} bear their share at the {race} race ({where}):"
         " {max_pressure:.0f MPa} at the outermost slices. Independent slices do not show the peak"
-        ' of pressure at an edge; model.roller_contact = "coupled" does.',
+        ' of pressure at an edge; `model.roller_contact` = "coupled" does.',
         rollers=_rollers(values),
         race=race_of(values),
         where=where_of(values),
@@ -174,22 +174,22 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "ribs_do_not_hold": marked(
         "Nothing supports the inner ring along x: no pair of ribs carries this axial load (an NU or"
         " N carries none, an NJ toward +x only, an NUP both ways), and radial load alone gives"
-        " cylindrical rollers no axial support. Take the axial load away (duty.load.fx), choose"
-        " ribs that carry it (bearing.inner_ribs, bearing.outer_ribs), or hold the ring with"
-        " duty.displacement.x."
+        " cylindrical rollers no axial support. Take the axial load away (`duty.load.fx`), choose"
+        " ribs that carry it (`bearing.inner_ribs`, `bearing.outer_ribs`), or hold the ring with"
+        " `duty.displacement.x`."
     ),
     "tapered_unsupported_axially": marked(
         "Nothing supports the inner ring toward {away}: a tapered roller bearing carries axial load"
         " toward {toward} only, and a radial load needs an accompanying axial load (about"
-        " F_r/(2 Y)). Reverse the load, add axial load (duty.load.fx), choose an arrangement with"
-        ' opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
+        " F_r/(2 Y)). Reverse the load, add axial load (`duty.load.fx`), choose an arrangement with"
+        ' opposed rows, such as "DB", or hold the ring with `duty.displacement.x`.'
     ),
     "tapered_free_to_tilt": marked(
         "A single row of tapered rollers hardly resists tilting, and the inner ring is free to tilt"
         " (my and mz are given): it turns out of the outer ring. With the rings held in line the"
         " axial load of {axial:.4 N} would do, for this radial load takes {needed:.4 N}"
-        " (F_r tan α). Hold the tilt with duty.displacement.ry and duty.displacement.rz, as a stiff"
-        " shaft on a second bearing does, or solve both bearings as a set."
+        " (F_r tan α). Hold the tilt with `duty.displacement.ry` and `duty.displacement.rz`, as a"
+        " stiff shaft on a second bearing does, or solve both bearings as a set."
     ),
     "rollers_unsupported": _rollers_unsupported,
 }

@@ -13,19 +13,19 @@ __all__ = ["SENTENCES"]
 
 SENTENCES: Final[dict[str, Sentence]] = {
     "seal_sizes_unknown": marked(
-        "The friction of the seals is not counted: without a designation, or losses.seal_diameter,"
-        " the size of their counterface is not known."
+        "The friction of the seals is not counted: without a designation, or"
+        " `losses.seal_diameter`, the size of their counterface is not known."
     ),
     "seal_not_in_table": marked(
         "The friction of the seals is not counted: SKF's table has none of the kind {seal} for"
-        " this bearing; losses.seal_moment gives it."
+        " this bearing; `losses.seal_moment` gives it."
     ),
     "seal_diameter_estimated": marked(
-        "The counterface of the seals is estimated as {diameter:.3 mm}; losses.seal_diameter gives"
-        " it. SKF's constants are at second hand."
+        "The counterface of the seals is estimated as {diameter:.3 mm}; `losses.seal_diameter`"
+        " gives it. SKF's constants are at second hand."
     ),
     "seal_taken_as": marked(
-        "The seals of this maker are taken as SKF's {seal}; losses.seal_moment gives their own"
+        "The seals of this maker are taken as SKF's {seal}; `losses.seal_moment` gives their own"
         " friction."
     ),
     "bath_without_oil": marked(

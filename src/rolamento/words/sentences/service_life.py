@@ -44,7 +44,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The viscosity ratio is {ratio:.2g}: below 0.1 the surfaces touch, and they wear."
     ),
     "grease_without_life": marked(
-        "No law of the life of a grease is valid here: rolamento grease says why."
+        "No law of the life of a grease is valid here: `rolamento grease` says why."
     ),
 }
 """By key."""

@@ -42,11 +42,11 @@ def zone_meaning(zone: str) -> str:
 SENTENCES: Final[dict[str, Sentence]] = {
     "severity_not_bearings": marked(
         "Severity does not show early bearing damage: its impacts are short and lie above 1 kHz, so"
-        " a machine in zone A may have a damaged bearing. Use rolamento diagnose for that."
+        " a machine in zone A may have a damaged bearing. Use `rolamento diagnose` for that."
     ),
     "severity_speed_unknown": marked(
         "The speed is not known: the band begins at 10 Hz. Below 600 rpm it must begin at 2 Hz;"
-        " give --speed."
+        " give `speed`."
     ),
     "severity_speed_outside": marked(
         "{speed:.4 rpm} is outside the 120 to 30 000 rpm of ISO 20816-3: its zones are not defined"

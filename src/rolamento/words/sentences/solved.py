@@ -68,7 +68,7 @@ def _orbit_outside(values: Values) -> str:
         "{balls} ({where}): inner raceway control gives an orbital speed outside the speeds of"
         " both rings, which no ball without slip can have, because the contact angles at the races"
         " lie far apart. Its centrifugal force and the loads that follow are not reliable. Choose"
-        ' model.raceway_control = "jones" or "outer".',
+        ' `model.raceway_control` = "jones" or "outer".',
         balls=_balls(values),
         where=where_of(values),
     )
@@ -187,13 +187,13 @@ def _no_load_given(values: Values) -> str:
     if values["speed"]:
         return said(
             "No load is given: nothing presses on the rolling elements, and there is nothing to"
-            " calculate but frequencies. Give the axial load (duty.load.fx), the radial load"
-            " (duty.load.fz), or both."
+            " calculate but frequencies. Give the axial load (`duty.load.fx`), the radial load"
+            " (`duty.load.fz`), or both."
         )
     return said(
         "Neither load nor speed is given: nothing presses on the rolling elements, and there is"
-        " nothing to calculate. Give the axial load (duty.load.fx) or the radial load"
-        " (duty.load.fz), and the speed (duty.inner_speed)."
+        " nothing to calculate. Give the axial load (`duty.load.fx`) or the radial load"
+        " (`duty.load.fz`), and the speed (`duty.inner_speed`)."
     )
 
 
@@ -242,12 +242,12 @@ def _jones_contradicts(values: Values) -> str:
     if values["assumed"] == "outer":
         return said(
             "Jones's criterion contradicts outer raceway control at {balls} ({where});"
-            ' model.raceway_control = "jones" decides ball by ball.',
+            ' `model.raceway_control` = "jones" decides ball by ball.',
             **numbers,
         )
     return said(
         "Jones's criterion contradicts inner raceway control at {balls} ({where});"
-        ' model.raceway_control = "jones" decides ball by ball.',
+        ' `model.raceway_control` = "jones" decides ball by ball.',
         **numbers,
     )
 
@@ -331,7 +331,7 @@ def _unsupported(values: Values) -> str:
 def _unsupported_one_sided(values: Values) -> str:
     return said(
         "Nothing supports the inner ring {direction}: balls would have to bear on the shoulder that"
-        " an angular contact bearing does not have. Add axial preload (duty.load.fx), reduce the"
+        " an angular contact bearing does not have. Add axial preload (`duty.load.fx`), reduce the"
         " moment, or hold the tilt.",
         direction=direction(values["axis"]),
     )
@@ -362,8 +362,8 @@ def _stainless(values: Values) -> str:
     return said(
         "{designation} is of stainless steel ({part}), but C and C_0 here are those of bearing"
         " steel. Stainless ball bearings have {low:.2 [%]} to {high:.2 %} of them (SMB Bearings),"
-        " and {short:.2 [%]} to {long:.2 %} of the rating life: give life.dynamic_rating and"
-        " life.static_rating.",
+        " and {short:.2 [%]} to {long:.2 %} of the rating life: give `life.dynamic_rating` and"
+        " `life.static_rating`.",
         designation=values["designation"],
         part=values["part"],
         low=low,
@@ -376,7 +376,7 @@ def _stainless(values: Values) -> str:
 def _designation_preload(values: Values) -> str:
     return said(
         "{designation} names a preload ({part}: {meaning}) whose force is in no list here: the rows"
-        " are set without preload. Give bearing.preload.",
+        " are set without preload. Give `bearing.preload`.",
         designation=values["designation"],
         part=values["part"],
         meaning=said(values["meaning"]),
@@ -402,7 +402,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "balls_unloaded": _balls_unloaded,
     "orbit_assumed": marked(
         "The orbital speed of a ball without inner contact, and with it its centrifugal force, is"
-        ' an assumption with model.cage = "none": raceway control does not determine it. With'
+        ' an assumption with `model.cage` = "none": raceway control does not determine it. With'
         ' "loose" the cage drives it.'
     ),
     "orbit_outside": _orbit_outside,
@@ -435,13 +435,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
             "A thrust ball bearing is for axial load alone (makers' catalogues): the radial load of"
             " {radial:.4 N} shifts its washers until the balls climb the grooves, and the state"
             " shown is what ideal grooves would give. Let another bearing carry the radial load,"
-            " and hold this one with duty.displacement.y and duty.displacement.z."
+            " and hold this one with `duty.displacement.y` and `duty.displacement.z`."
         ),
         marked(
             "A tapered roller thrust bearing is for axial load alone: its conical washers hardly"
             " resist the radial load of {radial:.4 N}, which shifts them far. Let another bearing"
-            " carry the radial load, and hold this one with duty.displacement.y and"
-            " duty.displacement.z."
+            " carry the radial load, and hold this one with `duty.displacement.y` and"
+            " `duty.displacement.z`."
         ),
     ),
     "tilt_beyond_self_aligning": marked(
@@ -462,8 +462,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "spin_at_both_races": _spin_at_both_races,
     "geometry_estimated": marked(
         "The internal geometry of {designation} is not published; it is estimated from the load"
-        " ratings, which {count} geometries reproduce (rolamento catalogue show): the best match is"
-        " used."
+        " ratings, which {count} geometries reproduce (`rolamento catalogue show`): the best match"
+        " is used."
     ),
     "geometry_estimated_uniquely": marked(
         "The internal geometry of {designation} is not published; it is estimated from the load"
@@ -471,8 +471,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "geometry_estimated_from_given": marked(
         "The internal geometry of {designation} is not published; it is estimated from the load"
-        " ratings that are given (life.dynamic_rating, life.static_rating), which {count}"
-        " geometries reproduce (rolamento catalogue show): the best match is used."
+        " ratings that are given (`life.dynamic_rating`, `life.static_rating`), which {count}"
+        " geometries reproduce (`rolamento catalogue show`): the best match is used."
     ),
     "designation_listed_as": marked(
         "{designation} is looked up as {maker} {listed}, which has the same type, boundary"
@@ -484,7 +484,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "stainless_rating": _stainless,
     "pair_clearance_not_listed": marked(
         "{designation} has a small axial clearance in a pair ({part}), which is in no list here:"
-        " the rows are set without clearance or preload. Give bearing.preload as a negative offset."
+        " the rows are set without clearance or preload. Give `bearing.preload` as a negative"
+        " offset."
     ),
     "preload_nearly_lost": marked(
         "Row {row} is about to lose its preload: it lifts off the inner ring at {factor:.3} times"
@@ -507,67 +508,69 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " at a contact angle of {inner_edge:.1f °}, the outer at {outer_edge:.1f °} (90° where no"
         " shoulder height is given: a half circle). Where speed drives the inner contact up its"
         " groove, a lower speed or more axial load or preload brings it back; where the load does,"
-        " less axial load, moment or tilt, or a higher shoulder (bearing.inner_shoulder_height,"
-        " bearing.outer_shoulder_height)."
+        " less axial load, moment or tilt, or a higher shoulder (`bearing.inner_shoulder_height`,"
+        " `bearing.outer_shoulder_height`)."
     ),
     "thrust_over_shoulder": _thrust_over_shoulder,
     "thrust_carries_no_radial_load": by_element(
         marked(
             "A thrust ball bearing carries no radial load: the {radial:.4 N} given here push its"
             " balls out of their grooves, which the axial load of {axial:.4 N} cannot prevent. Let"
-            " a radial bearing on the shaft carry it, and hold this one with duty.displacement.y"
-            " and duty.displacement.z; or choose an angular contact bearing, such as one of series"
-            " 72."
+            " a radial bearing on the shaft carry it, and hold this one with `duty.displacement.y`"
+            " and `duty.displacement.z`; or choose an angular contact bearing, such as one of"
+            " series 72."
         ),
         marked(
             "A roller thrust bearing carries no radial load: flat washers do not resist the"
             " {radial:.4 N} given here, and conical ones hardly do. Let a radial bearing on the"
-            " shaft carry it, and hold this one with duty.displacement.y and duty.displacement.z."
+            " shaft carry it, and hold this one with `duty.displacement.y` and"
+            " `duty.displacement.z`."
         ),
     ),
     "thrust_unsupported": by_element(
         marked(
             "Nothing supports the inner ring along x: a thrust ball bearing carries axial load of"
             " the shaft toward +x only, and needs some to keep its balls in their grooves. Reverse"
-            " the load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
+            " the load, add axial load (`duty.load.fx`), or hold the ring with"
+            " `duty.displacement.x`."
         ),
         marked(
             "Nothing supports the shaft washer along x: a roller thrust bearing carries axial load"
             " of the shaft toward +x only, and no radial load. Reverse the load, add axial load"
-            " (duty.load.fx), or hold the washer with duty.displacement.x; let a radial bearing on"
-            " the shaft carry a radial load."
+            " (`duty.load.fx`), or hold the washer with `duty.displacement.x`; let a radial bearing"
+            " on the shaft carry a radial load."
         ),
     ),
     "thrust_pushed_aside": by_element(
         marked(
             "The axial load does not hold the balls in their grooves against the radial load or the"
             " moment: a thrust bearing bears these only as far as its contact angles change and its"
-            " balls stay loaded. Add axial load, or hold the ring with duty.displacement, as a"
+            " balls stay loaded. Add axial load, or hold the ring with `duty.displacement`, as a"
             " radial bearing on the shaft does."
         ),
         marked(
             "The axial load does not keep the washers together against the moment, which they hold"
             " only while rollers on both sides are loaded. Add axial load, or hold the washer with"
-            " duty.displacement.ry and duty.displacement.rz, as other bearings on the shaft do."
+            " `duty.displacement.ry` and `duty.displacement.rz`, as other bearings on the shaft do."
         ),
     ),
     "sphere_holds_no_moment": _sphere_holds_no_moment,
     "unconstrained_ball": marked(
         "This raceway control cannot hold a ball that a race loads too lightly to bear its"
-        ' gyroscopic moment. Choose model.cage = "loose", model.raceway_control = "jones" or'
+        ' gyroscopic moment. Choose `model.cage` = "loose", `model.raceway_control` = "jones" or'
         ' "outer", or more axial load.'
     ),
     "friction_without_balance": marked(
         "Under friction alone the forces balance, but a ball is in an impossible position or the"
         " power balance does not close, so there is no result to show. Change slightly the load,"
-        " the speed or lubricant.friction_coefficient, choose the other model.mesh, more load or"
-        ' less model.cage_drag; raceway_control = "jones" gives similar loads and angles.'
+        " the speed or `lubricant.friction_coefficient`, choose the other `model.mesh`, more load"
+        ' or less `model.cage_drag`; raceway_control = "jones" gives similar loads and angles.'
     ),
     "friction_not_converged": marked(
         "Under friction alone the solver stopped at a residual of {residual:.1e} of the loads, so"
         " there is no result to show. Change slightly the load, the speed or"
-        " lubricant.friction_coefficient, choose the other model.mesh, more load or less"
-        ' model.cage_drag; raceway_control = "jones" gives similar loads and angles.'
+        " `lubricant.friction_coefficient`, choose the other `model.mesh`, more load or less"
+        ' `model.cage_drag`; raceway_control = "jones" gives similar loads and angles.'
     ),
     "counter_rotation": marked(
         "Between counter-rotating rings the balls may orbit so slowly that the gyroscopic moment"
@@ -577,7 +580,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "inner_control": marked(
         "Under inner raceway control a ball on which the inner ring hardly presses may have several"
         " equilibria or none. The solver stopped at a residual of {residual:.1e} of the loads, so"
-        ' there is no result to show. Choose model.raceway_control = "jones" or "outer", or add'
+        ' there is no result to show. Choose `model.raceway_control` = "jones" or "outer", or add'
         " axial load."
     ),
     "not_converged": marked(
@@ -590,30 +593,31 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "unsupported_axially": marked(
         "Nothing supports the inner ring toward -x: an angular contact bearing carries axial load"
         " toward +x only, and a radial load needs an accompanying axial load (about F_r tan α)."
-        " Reverse the load, add axial preload (duty.load.fx), or hold the ring with"
-        " duty.displacement.x."
+        " Reverse the load, add axial preload (`duty.load.fx`), or hold the ring with"
+        " `duty.displacement.x`."
     ),
     "unsupported_tandem": marked(
         "Nothing supports the inner ring toward {away}: all rows carry axial load toward {toward}"
         " only, and a radial load needs an accompanying axial load in every row (about F_r"
-        " tan α). Reverse the load, add axial load (duty.load.fx), choose an"
-        ' arrangement with opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
+        " tan α). Reverse the load, add axial load (`duty.load.fx`), choose an"
+        ' arrangement with opposed rows, such as "DB", or hold the ring with `duty.displacement.x`.'
     ),
     "shoulder_lost": marked(
         "The inner ring moves so far that balls of a row would have to bear on the shoulder that an"
-        " angular contact bearing does not have. More preload or less clearance (bearing.preload),"
-        " a smaller axial load or moment, or rings held against tilting keep them in their groove."
+        " angular contact bearing does not have. More preload or less clearance"
+        " (`bearing.preload`), a smaller axial load or moment, or rings held against tilting"
+        " keep them in their groove."
     ),
     "springs_overcome": marked(
         "Nothing supports the inner ring toward -x: an axial load of {load:.4 N} pushes back the"
         " springs, which press with {spring:.4 N}. Choose springs stronger than the load, clamp the"
-        " rings (bearing.preload.force), or reverse the load or the set: toward +x the rows that"
+        " rings (`bearing.preload.force`), or reverse the load or the set: toward +x the rows that"
         " face + carry it without the springs."
     ),
     "springs_weak": marked(
         "Springs of {spring:.4 N} do not keep the balls of every row in place: in each row a radial"
         " load needs an accompanying axial load (about F_r tan α), and a moment needs"
-        " more. Choose stronger springs, clamp the rings (bearing.preload.force), reduce the radial"
-        " load or the moment, or hold the tilts."
+        " more. Choose stronger springs, clamp the rings (`bearing.preload.force`), reduce the"
+        " radial load or the moment, or hold the tilts."
     ),
 }

@@ -72,7 +72,7 @@ def _class_leaves_out(values: Mapping[str, Any]) -> str:
             said(
                 "The preload of the set is not known: the limits are those of NSK's matched"
                 " bearings. GMN gives a pair 0.8 of the single bearing's speed at light, 0.7 at"
-                " medium and 0.5 at heavy rigid preload: give bearing.preload."
+                " medium and 0.5 at heavy rigid preload: give `bearing.preload`."
             )
         )
     return " ".join(texts)
@@ -153,7 +153,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "no_series_for_speed": marked(
         "The series is not known, and so neither a thermal reference speed nor a maker's limiting"
-        " speeds: give --series."
+        " speeds: give `series`."
     ),
     "no_reference_coefficients": marked(
         "No coefficients of ISO 15312 are on file for the series {series}: there is no thermal"
@@ -165,17 +165,17 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "no_boundary_dimensions": marked(
         "Bore, outside diameter and width are needed for the thermal reference speed: give a"
-        " designation, or mounting.bore, mounting.outside_diameter and --width."
+        " designation, or `mounting.bore`, `mounting.outside_diameter` and `width`."
     ),
     "no_static_rating_for_speed": marked(
-        "The thermal reference speed needs C_0: give life.static_rating."
+        "The thermal reference speed needs C_0: give `life.static_rating`."
     ),
     "no_permissible_speed_under_axial_load": marked(
         "How an axial load of such bearings counts in their friction is not on file: there is no"
         " thermally permissible speed under one."
     ),
     "no_permissible_speed": marked(
-        "The permissible speed needs a lubricant and its temperature: --lubricant, --temperature."
+        "The permissible speed needs a lubricant and its temperature: `lubricant`, `temperature`."
     ),
     "reference_speed_leaves_out": _reference_leaves_out,
     "permissible_speed_of_thin_oil": marked(
@@ -195,7 +195,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "speed_above_limits": _above,
     "load_below_minimum": _below,
     "preload_for_minimum_load": marked(
-        "The set is preloaded, which the loads given here leave out; rolamento solve shows the"
+        "The set is preloaded, which the loads given here leave out; `rolamento solve` shows the"
         " preload at speed."
     ),
     "no_load_to_compare": lambda values: (

@@ -38,7 +38,7 @@ def _gap(values: Mapping[str, Any]) -> str:
 
 SENTENCES: Final[dict[str, Sentence]] = {
     "no_static_rating_for_safety": marked(
-        "C_0 is not known: there is no safety by load; life.static_rating gives it."
+        "C_0 is not known: there is no safety by load; `life.static_rating` gives it."
     ),
     "soft_raceways": marked(
         "Raceways of {hardness:.3} HRC bear less than those of 58: all safeties are multiplied by"

@@ -124,16 +124,16 @@ SENTENCES: Final[dict[str, Sentence]] = {
     # --- why there is no result, and what to do ---------------------------------------------
     "weibull_no_failures": marked(
         "There are no failures: the test bounds the life from below only. With a shape assumed from"
-        " experience (such as --shape 1.5), it gives a lower bound on the life."
+        " experience (such as `shape=1.5`), it gives a lower bound on the life."
     ),
     "weibull_one_failure": marked(
         "One failure does not determine the shape. Assume a shape from experience (such as"
-        " --shape 1.5) or a range (--bayes 1..2.5), or continue the test."
+        " `shape=1.5`) or a range (`prior=1..2.5`), or continue the test."
     ),
     "weibull_no_spread": marked(
         "All failures may have occurred at the same time and no bearing ran longer: the fit"
         " improves without limit as the line gets steeper. Inspect more often, continue the test,"
-        " or assume a shape from experience (such as --shape 1.5)."
+        " or assume a shape from experience (such as `shape=1.5`)."
     ),
     "weibull_no_maximum": marked(
         "The likelihood has no maximum. With three parameters, it grows without bound as the"
@@ -144,10 +144,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "weibull_not_converged": marked("The search did not converge; check the data for errors."),
     "weibull_not_modelled": marked(
         "Exact failure times beside inspected ones: such a test cannot be simulated. Use"
-        " --bounds likelihood-ratio or --bounds bootstrap-bca."
+        " `bounds=likelihood-ratio` or `bounds=bootstrap-bca`."
     ),
     "weibull_too_large": marked(
-        "The test has too many bearings to be simulated repeatedly. Use --bounds likelihood-ratio,"
+        "The test has too many bearings to be simulated repeatedly. Use `bounds=likelihood-ratio`,"
         " which is valid for large samples."
     ),
     "weibull_no_mean": marked(
@@ -160,7 +160,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "weibull_mode_without_fit": marked(
         "A mode has too few failures for a distribution, and without it the bearing as a whole"
         " would come out too good. Join it with a related mode, or assume a shape from experience"
-        " (such as --shape 1.5)."
+        " (such as `shape=1.5`)."
     ),
     "weibull_group_without_fit": marked(
         "A group has no fit of its own: it has no failures, or its failures have no spread."
@@ -170,7 +170,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The data cannot be simulated repeatedly: the results have no intervals."
     ),
     "decision_groups_pooled": marked(
-        "The data have {count} groups, taken together here. Choose some with --only if they differ."
+        "The data have {count} groups, taken together here. Choose some with `only` if they differ."
     ),
     "decision_one_mode": marked(
         "The cost of failures by other modes comes on top, and a planned replacement may bring more"

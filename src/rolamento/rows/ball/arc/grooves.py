@@ -33,6 +33,7 @@ from numpy.polynomial import chebyshev
 from rolamento.case.bearing import Bearing
 from rolamento.case.parameters import BallParameters
 from rolamento.contact.hertz import effective_modulus, series_stiffness
+from rolamento.contact.race import race_stiffness
 from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import (
     ball_mass,
@@ -50,7 +51,6 @@ from rolamento.rows.ball.arc.together import settle_together
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
 from rolamento.solved import Elements, Index, Pressed, Tables
-from rolamento.static import race_stiffness
 from rolamento.status import INVALID_INPUT
 
 __all__ = ["GrooveRow", "four_point_row", "thrust_row"]
