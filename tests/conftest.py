@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
 
@@ -41,6 +44,24 @@ def pytest_configure(config: pytest.Config) -> None:
     subprocess.run(
         [sys.executable, "scripts/words.py", "--compile"], cwd=config.rootpath, check=True
     )
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _every_picture_concludes() -> Iterator[None]:
+    """Fail a test that draws a chart without a line of what it says, with its numbers."""
+    from rolamento.charts import Chart
+
+    text = Chart.alternative.fget
+
+    def checked(chart: Chart) -> str:
+        known = any(np.isfinite(one.y).any() for one in chart.lines)
+        assert chart.says, "a chart says nothing"
+        assert re.search(r"\d", chart.says) or not known, f"no number in {chart.says!r}"
+        return text(chart)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Chart, "alternative", property(checked))
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -54,9 +54,17 @@ def test_show_tells_that_the_inside_is_inferred() -> None:
     ("designation", "kind", "figure"),
     [
         ("3206", "double-row angular-contact ball bearing", "distance of the rows"),
-        ("QJ 210", "four-point contact ball bearing", "dynamic axial load rating Ca  57 000"),
+        (
+            "QJ 210",
+            "four-point contact ball bearing",
+            "basic dynamic axial load rating C_a  57 000",
+        ),
         ("1210", "self-aligning ball bearing", "clearance class CN"),
-        ("51210", "single-direction thrust ball bearing", "dynamic axial load rating Ca   49 000"),
+        (
+            "51210",
+            "single-direction thrust ball bearing",
+            "basic dynamic axial load rating C_a   49 000",
+        ),
     ],
 )
 def test_kinds_are_shown_without_the_word_show(designation: str, kind: str, figure: str) -> None:

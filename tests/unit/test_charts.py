@@ -57,7 +57,7 @@ EVERY = Chart(
     ),
     Axis("Speed", "rpm"),
     Axis("Load", "N", zero=True),
-    "The load rises.",
+    "The load rises to 4 N.",
     "Load over speed",
     marks=(Mark(3.0, "limit", Look("bad")), Mark(1.5, "now", Look("ink"), "x")),
     zones=(Zone(2.0, np.inf, "much", "fair"),),
@@ -192,10 +192,10 @@ def test_a_bar_beyond_its_axis_has_a_break_mark_at_its_end() -> None:
 def test_pictures_are_plain_json_and_say_what_they_say() -> None:
     found = picture(EVERY)
     assert json.loads(json.dumps(found, allow_nan=False)) == found
-    assert found["summary"] == "The load rises."
-    assert EVERY.alternative == "Load over speed. The load rises."
+    assert found["summary"] == "The load rises to 4 N."
+    assert EVERY.alternative == "Load over speed. The load rises to 4 N."
     untitled = replace(EVERY, title="")
-    assert untitled.alternative == "Load (N) over Speed (rpm). The load rises."
+    assert untitled.alternative == "Load (N) over Speed (rpm). The load rises to 4 N."
 
 
 def test_panels_stand_beside_or_below_one_another() -> None:
@@ -255,5 +255,22 @@ def test_a_page_says_what_its_charts_say() -> None:
     own = Figure("Bearing", partial(draw, EVERY), "own", alternative="A bearing in section.")
     text = html(Document("Loads", (Section("", (*figures, own)),)))
     said = EVERY.alternative
-    told = [said, f"All cases. {said}", "Lives", said, "A bearing in section."]
+    lives = "Lives. Life, case A, highest: 1 h (first); Life, case B, highest: 3 h (second)"
+    told = [said, f"All cases. {said}", lives, said, "A bearing in section."]
     assert re.findall('role="img" aria-label="([^"]*)"', text) == told
+
+
+def test_a_chart_without_a_conclusion_says_what_its_numbers_show() -> None:
+    across, upright = Axis("Speed", "rpm"), Axis("Power", "W")
+    falls = Line(X, 4.0 - X, "", Look("inner"))
+    turns = Line(X, np.array([1.0, 5.0, 2.0, 0.0]), "A", Look("outer"))
+    still = Line(X, np.full(4, 7.0), "B", Look("outer"))
+    many = tuple(Line(X, X + place, f"case {place}", Look("inner")) for place in range(4))
+    for series, text in (
+        ((falls,), "Power falls from 4 W at 0 rpm to 1 W at 3 rpm"),
+        ((turns, still), "Power: A is highest at 1 rpm: 5 W; B stays at 7 W"),
+        (many, "Power, highest: 6 W at 3 rpm (case 3); lowest: 0 W at 0 rpm (case 0)"),
+    ):
+        assert Chart(series, across, upright).says == text
+    assert Chart((falls,), across, upright, "It falls.").says == "It falls."
+    assert CELLS.says == "Gap from −2 µm to 6 µm, highest at 2.5 N, 1.5 µm"

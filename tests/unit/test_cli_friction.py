@@ -113,7 +113,7 @@ def test_a_case_has_torque_power_and_heat_by_source(run: Run, examples: Path) ->
     assert (code, err) == (0, "")
     found = analyse(load_case(examples / "ricci_fleury.toml")).friction
     assert found is not None
-    assert re.search(rf"running torque +{1e3 * found.torque[0]:.3f} +N·mm", out)
+    assert re.search(rf"friction torque +{1e3 * found.torque[0]:.3f} +N·mm", out)
     assert re.search(rf"starting torque +{1e3 * found.starting_torque[0]:.3f} +N·mm", out)
     assert "elastic hysteresis" in out
     assert "heat, inner" in out

@@ -203,7 +203,7 @@ def test_a_curve_needs_no_coefficient() -> None:
 def test_a_report_has_the_power(power: float) -> None:
     report = calculation_report([case()])
     text = terminal(report_page(report))
-    assert "friction power" in text
+    assert "power loss" in text
     assert f"{power:.4g}" in text
     assert "Friction: requires" not in text
 

@@ -511,8 +511,8 @@ def test_portuguese_labels(state: Solved) -> None:
         ("max_orbital_speed", "Maximum orbital speed", "Rotação orbital (máx.)"),
         (
             "max_inner_max_pressure",
-            "Maximum Hertz pressure, inner race",
-            "Pressão de Hertz, pista interna (máx.)",
+            "Maximum contact pressure, inner race",
+            "Pressão de contato, pista interna (máx.)",
         ),
         (
             "mean_outer_contact_angle",

@@ -198,7 +198,7 @@ class TestWhole:
         signal, diagnosis = outer()
         with speaking(language):
             figure = diagnosis_figure(signal, diagnosis, title="$x$ <&>")
-            words = [said("Time (s)"), said("Frequency (Hz)"), said("Frequency (Hz)")]
+            words = [f"{said('Time')} (s)", *[f"{said('Frequency')} (Hz)"] * 2]
         below = [axes.get_xlabel() for axes in figure.axes if axes.get_xlabel()]
         assert below == words
         race = "outer race" if language == "en" else "pista externa"

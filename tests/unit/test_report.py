@@ -17,18 +17,19 @@ from tests.one_case import said
 import rolamento
 from rolamento import Case
 from rolamento.case.model import CageKind, RacewayControl
-from rolamento.document import Document, KeyValues
+from rolamento.document import Column, Document, KeyValues, Number, Section, Table
+from rolamento.document.cells import cells
 from rolamento.document.medium import Medium
 from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
-from rolamento.pages.elements import element_sections
+from rolamento.pages.elements import contact_name, element_sections
 from rolamento.pages.given import head, model_text
 from rolamento.pages.state import rosette, state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.form import control_names
 from rolamento.status import STATUS_NAMES
-from rolamento.words import ABSENT, Manner, aligned, decimals_for, language_of, speaking
+from rolamento.words import ABSENT, Manner, decimals_for, language_of, speaking
 from rolamento.words.reasons import reason
 
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
@@ -260,7 +261,8 @@ def test_quantities_of_a_case_keep_their_digits() -> None:
 
 
 def test_decimal_marks_fall_below_each_other() -> None:
-    assert aligned(["1.25", "10", ABSENT], ".") == ["1.25", "10   ", f"{ABSENT}   "]
+    column = Column("", [Number(1.25, ".3"), Number(10.0, ".3"), Number(nan, ".3")])
+    assert cells(column) == ["1.25", "10   ", f"{ABSENT}   "]
 
 
 # --- the rosette ------------------------------------------------------------
@@ -361,3 +363,17 @@ def test_a_page_is_headed_by_the_bearing_as_delivered() -> None:
     assert "8 balls of 19.05 mm" in text
     warm = 1e6 * solved.case.bearing.diametral_clearance
     assert f"mounted and warm: diametral clearance {warm:.4g} µm" in text
+
+
+def test_a_table_has_its_caption_above_it() -> None:
+    table = Table((Column("x", [1.0], "x", "mm"),), "lengths", caption="Case A")
+    lines = terminal(Document("Lengths", (Section("", (table,)),))).splitlines()
+    assert [line.strip() for line in lines] == ["Case A", "x", "mm", "1000"]
+
+
+def test_rollers_name_what_their_contacts_have() -> None:
+    assert contact_name("semi_major", ["ball"]) == "semi-major axis"
+    assert contact_name("semi_major", ["cylindrical"]) == "half the effective length"
+    both = contact_name("deflection", ["ball", "cylindrical"])
+    assert both == "contact approach; of rollers contact approach, maximum"
+    assert contact_name("load", ["ball", "tapered"]) == "contact load"

@@ -6,6 +6,7 @@ from typing import Final
 
 from rolamento.types import BY_ELEMENT, TYPES
 from rolamento.words import marked, said
+from rolamento.words.quantities import CALLED
 
 __all__ = ["CHOICES", "LABELS", "choice_label", "label_of"]
 
@@ -220,18 +221,18 @@ LABELS: Final = {
     "heat.steps": marked("steps in time (heat)"),
     "life.reliability": marked("reliability"),
     "life.required_life": marked("required life"),
-    "life.dynamic_rating": marked("basic dynamic load rating C"),
-    "life.static_rating": marked("basic static load rating C_0"),
-    "life.fatigue_load_limit": marked("fatigue load limit C_u"),
+    "life.dynamic_rating": CALLED["dynamic_rating"],
+    "life.static_rating": CALLED["static_rating"],
+    "life.fatigue_load_limit": CALLED["fatigue_load_limit"],
     "life.fatigue_load_method": marked("fatigue load limit method"),
-    "life.contamination": marked("contamination factor e_C"),
+    "life.contamination": CALLED["contamination_factor"],
     "life.cleanliness": marked("cleanliness code (ISO 4406)"),
     "life.oil_supply": marked("oil supply"),
     "life.filter_size": marked("filter rating"),
     "life.filter_ratio": marked("filtration ratio β"),
     "life.grease_cleanliness": marked("grease contamination level"),
     "life.additives": marked("effective EP additives"),
-    "life.viscosity_ratio": marked("viscosity ratio κ"),
+    "life.viscosity_ratio": CALLED["viscosity_ratio"],
     "life.rotating_load": marked("rotating load"),
     "life.edition": marked("edition of ISO 281"),
     "life.material_factor": marked("material factor a_2"),

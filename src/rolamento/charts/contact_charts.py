@@ -294,6 +294,11 @@ def row_charts(cases: Sequence[Shown], most: int) -> list[Chart]:
     charts = []
     for row in range(count):
         series: list[Line] = []
+
+        def load(one: Shown, race: Race, row: int = row) -> Floats:
+            own = one.solved.elements.row == row
+            return np.where(own, quantity.of(one.solved, race), np.nan)
+
         for one in cases:
             by_row = rows_in_order(one.solved)
             if row >= len(by_row):
@@ -306,7 +311,10 @@ def row_charts(cases: Sequence[Shown], most: int) -> list[Chart]:
                 series.append(Line(*_all_round(azimuth, values), name, look, "both", (1, 1)))
         name = said("row {number}", number=row)
         across = Axis(name, DEGREE.symbol, (0.0, _TURN), ticks=ticks, label=name)
-        charts.append(Chart(tuple(series), across, Axis(quantity.name, unit.symbol, zero=True)))
+        charts.append(
+            Chart(tuple(series), across, Axis(quantity.name, unit.symbol, zero=True),
+                  _extremes(cases, load, f"{name}, {quantity.name}", unit))
+        )  # fmt: skip
     extremes = _extremes(
         cases, lambda one, race: quantity.of(one.solved, race), quantity.name, unit
     )

@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.charts.axes_units import DEGREE, MEGAPASCAL, ReadableUnit, readable_unit
+from rolamento.charts.texts import capitalised
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.records import frozen
 from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
 from rolamento.words import said, said_in, worded
+from rolamento.words.quantities import called
 
 __all__ = [
     "AROUND",
@@ -82,11 +84,9 @@ class ContactQuantity(NamedTuple):
 
 def contact_quantity(column: QuantityName) -> ContactQuantity:
     """Return a number of the contacts by its column."""
-    if column == "load":
-        return ContactQuantity(column, said("Contact load"), None, from_zero=True)
-    if column == "contact_angle":
-        return ContactQuantity(column, said("Contact angle"), DEGREE, from_zero=False)
-    return ContactQuantity(column, said("Maximum contact pressure"), MEGAPASCAL, from_zero=True)
+    units = {"contact_angle": DEGREE, "max_pressure": MEGAPASCAL}
+    name, angle = capitalised(called(column)), column == "contact_angle"
+    return ContactQuantity(column, name, units.get(column), from_zero=not angle)
 
 
 def load_unit(cases: Iterable[Solved]) -> ReadableUnit:

@@ -103,7 +103,9 @@ def figure(*charts: Chart, title: str = "", height: float = 90.0, own: bool = Fa
 
 
 @in_style
-def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True) -> Axes:
+def draw(
+    chart: Chart, axes: Axes | None = None, *, legend: bool = True, height: float = 90.0
+) -> Axes:
     """Draw a chart.
 
     Parameters
@@ -114,6 +116,8 @@ def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True) -> Axes
         To draw on, polar ones for a polar chart; of a new figure if not given.
     legend
         Whether its names stand above the frame.
+    height
+        Of a new figure, in mm.
 
     Returns
     -------
@@ -126,7 +130,7 @@ def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True) -> Axes
         If the axes are none, or not of this kind.
     """
     if axes is None:
-        axes = (new_polar_figure() if chart.polar else new_figure())[1]
+        axes = (new_polar_figure() if chart.polar else new_figure(height=height))[1]
     axes = _turned(axes) if chart.polar else require_axes(axes)
     axes.set_label(chart.alternative)
     if not chart.series:

@@ -16,6 +16,7 @@ from rolamento.charts.contacts import Shown
 from rolamento.charts.groove import Slot
 from rolamento.charts.palette import Look, race_look
 from rolamento.charts.record import Axis, Chart, Ellipses, Line, Mark
+from rolamento.charts.texts import number
 from rolamento.geometry import Race
 from rolamento.words import said
 
@@ -64,7 +65,21 @@ def ellipse_chart(
             )  # fmt: skip
         series += _edges(one, slots, margin)
     bottom = Mark(0.0, said("bottom of the groove"), Look("grey", "longdashdot", width=0.5))
-    return Chart(tuple(series), along, across, marks=(bottom,), outlines=True)
+    said_of = (_of_ellipses(one, slots) for one, slots in cases)
+    return Chart(tuple(series), along, across, "; ".join(said_of), marks=(bottom,), outlines=True)
+
+
+def _of_ellipses(one: Shown, slots: Sequence[Slot]) -> str:
+    """Say how large the longest ellipse is, and how many run over the edge."""
+    touching = [slot for slot in slots if slot.touches]
+    if not touching:
+        return one.named(said("no ball touches the race"))
+    longest = max(touching, key=lambda slot: slot.semi_major)
+    long, wide = (number(2.0 * one, 3) for one in (longest.semi_major, longest.semi_minor))
+    count = sum(slot.over_edge for slot in touching)
+    size = said("longest ellipse {long} mm × {wide} mm", long=long, wide=wide)
+    over = said("{count} of {all} over the edge of the groove", count=count, all=len(touching))
+    return one.named(f"{size}; {over}")
 
 
 def _edges(one: Shown, slots: Sequence[Slot], margin: float) -> list[Line]:

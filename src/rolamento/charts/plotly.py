@@ -98,7 +98,7 @@ def picture(*panels: Chart, down: bool = False, conclusion: str = "") -> Picture
         What they say together; by default what the first one says.
     """
     first = panels[0]
-    said = conclusion or first.conclusion
+    said = conclusion or first.says
     if not any(panel.series for panel in panels):
         return empty(said)
     data: list[dict[str, Any]] = []

@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.charts.axes_units import DEGREE, NONE
+from rolamento.charts.courses import courses
 from rolamento.charts.palette import Look
+from rolamento.charts.texts import number
 from rolamento.records import frozen
 from rolamento.words import said
 
@@ -85,12 +87,12 @@ class Axis:
     @property
     def title(self) -> str:
         """What is written along the axis."""
-        bare = self.unit == NONE.symbol or not self.name
+        bare = self.unit in ("", NONE.symbol) or not self.name
         return self.label or (self.name if bare else f"{self.name} ({self.unit})")
 
     def with_unit(self, number: str) -> str:
         """Return a number with the unit of the axis."""
-        if self.unit == NONE.symbol:
+        if self.unit in ("", NONE.symbol):
             return number
         return f"{number}{'' if self.unit == DEGREE.symbol else ' '}{self.unit}"
 
@@ -131,6 +133,11 @@ class Line:
     texts: tuple[str, ...] = ()
     valid: NDArray[np.bool_] | None = None
     height: float | None = None
+
+    @property
+    def on_the_scale(self) -> bool:
+        """Whether its points are numbers of both axes: not an outline, nor at a fixed height."""
+        return self.height is None and not self.filled
 
 
 @frozen(eq=False)
@@ -175,6 +182,16 @@ class Bars:
     texts: tuple[str, ...] = ()
     valid: tuple[bool, ...] = ()
     start: Floats | None = None
+
+    def reading(self, across: Axis, upright: Axis) -> str:
+        """Return its longest bar; empty without one that is finite."""
+        if not np.isfinite(self.values).any():
+            return ""
+        one = int(np.nanargmax(np.where(np.isfinite(self.values), self.values, np.nan)))
+        value = across.with_unit(number(float(self.values[one]), 3))
+        place = upright.categories[self.places[one]]
+        what = ", ".join(filter(None, (across.name, self.name))) or across.title
+        return said("{what}, highest: {value} ({place})", what=what, value=value, place=place)
 
 
 @frozen
@@ -280,6 +297,25 @@ class Field:
     signed: bool = False
     missing: str = ""
 
+    def reading(self, across: Axis, upright: Axis) -> str:
+        """Return its range, and where the highest of its numbers stands."""
+        if not np.isfinite(self.values).any():
+            return ""
+        top = np.unravel_index(int(np.nanargmax(self.values)), self.values.shape)
+        x, y = self.x, self.y
+        if x.ndim == 1:  # lines between cells
+            x, y = np.meshgrid(0.5 * (x[:-1] + x[1:]), 0.5 * (y[:-1] + y[1:]))
+        low, high = (self.scale.with_unit(number(float(found(self.values)), 3))
+                     for found in (np.nanmin, np.nanmax))  # fmt: skip
+        what = self.scale.name or self.scale.title
+        if low == high:
+            return said("{what} stays at {value}", what=what, value=low)
+        return said(
+            "{what} from {low} to {high}, highest at {x}, {y}", what=what, low=low, high=high,
+            x=across.with_unit(number(float(x[top]) + 0.0, 3)),
+            y=upright.with_unit(number(float(y[top]) + 0.0, 3)),
+        )  # fmt: skip
+
 
 @frozen(eq=False)
 class Arrows:
@@ -339,13 +375,24 @@ class Chart:
     symbols: bool = False
 
     @property
+    def says(self) -> str:
+        """What it says, in a line: its conclusion; without one what its own numbers show."""
+        if self.conclusion or self.outlines or self.stacked:
+            return self.conclusion
+        wide = [one for one in self.series if isinstance(one, Field | Bars)]
+        if wide:  # lines lie over them
+            return "; ".join(filter(None, (one.reading(self.x, self.y) for one in wide)))
+        drawn = [(one.name, one.x, one.y) for one in self.lines if one.on_the_scale]
+        return courses(drawn, self.x, self.y)
+
+    @property
     def alternative(self) -> str:
         """What it shows, for those who cannot see it; without a title by its axes."""
         up, across = self.y.title, self.x.title
         shown = self.title
         if not shown and self.series and up and across and not self.polar:
             shown = said("{what} over {field}.", what=up, field=across).rstrip(".")
-        return ". ".join(part for part in (shown, self.conclusion) if part)
+        return ". ".join(part for part in (shown, self.says) if part)
 
     def where_faint(self, text: str) -> Chart:
         """Return it with a text over the names of its series, if some of them are faint."""

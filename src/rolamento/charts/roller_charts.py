@@ -101,8 +101,7 @@ def between_chart(one: Shown, roller: int) -> Chart:
             Line(x, lies.race_below, one.named(inner), race_look("inner")),
         ),
         Axis(place_name(one.solved), MILLIMETRE.symbol, (-reaches, reaches)),
-        Axis(said("Radial height (µm)"), "µm", (lies.bottom, lies.top),
-             label=said("Radial height (µm)")),
+        Axis(said("Radial height"), "µm", (lies.bottom, lies.top)),
         name,
         outlines=True,
     )  # fmt: skip

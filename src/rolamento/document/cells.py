@@ -12,7 +12,7 @@ from math import isfinite, nan
 from typing import Final
 
 from rolamento.document.model import Bars, CellContent, Column, Number, Table
-from rolamento.words import ABSENT, aligned, decimals_for, in_unit, manner
+from rolamento.words import ABSENT, decimals_for, in_unit, manner
 
 __all__ = [
     "PEAK",
@@ -24,8 +24,6 @@ __all__ = [
     "figure_spaced",
     "has_unit_line",
     "indexed",
-    "is_numeric",
-    "numbers_of",
     "peaks",
     "shares",
     "shares_of_bars",
@@ -64,21 +62,24 @@ def cells(column: Column) -> list[str]:
     if column.form:
         values = [_formed(value, column.form) for value in column.values]
         column = replace(column, values=values, form="")
-    decimals = decimals_for(numbers_of(column), column.figures, column.most)
+    numbers = [in_unit(value, column.unit) for value in column.values if isinstance(value, float)]
+    decimals = decimals_for(numbers, column.figures, column.most)
     texts = [cell(value, column.unit, decimals) for value in column.values]
     if any(isinstance(value, Number) for value in column.values):
         own = [not isinstance(value, str) for value in column.values]
-        numbers = [text for text, numeric in zip(texts, own, strict=True) if numeric and text]
-        lined = aligned(numbers, manner().mark)
-        wider = max(map(len, lined), default=0) - max(map(len, numbers), default=0)
-        written = iter(lined if wider <= _MOST_WIDER else numbers)
+        unlined = [text for text, numeric in zip(texts, own, strict=True) if numeric and text]
+        mark = manner().mark
+        tails = [len(t) - t.index(mark) if mark in t and "e" not in t else 0 for t in unlined]
+        lined = [t + " " * (max(tails) - tail) for t, tail in zip(unlined, tails, strict=True)]
+        wider = max(map(len, lined), default=0) - max(map(len, unlined), default=0)
+        written = iter(lined if wider <= _MOST_WIDER else unlined)
         texts = [
             next(written) if numeric and text else text
             for text, numeric in zip(texts, own, strict=True)
         ]
     if column.once:
         texts = ["" if row and text == texts[row - 1] else text for row, text in enumerate(texts)]
-    if not is_numeric(column):
+    if all(isinstance(value, str | None) for value in column.values):
         return texts
     longest = max(texts, key=len)  # a dash stands below the last digit before the decimal mark
     tail = len(longest) - max(longest.find("."), longest.find(","))
@@ -107,18 +108,6 @@ def figure_spaced(text: str) -> str:
         return text
     mark = "" if manner().mark in bare else _AS_WIDE_AS_MARK
     return bare + mark + _AS_WIDE_AS_DIGIT * (room - len(mark))
-
-
-def numbers_of(column: Column) -> list[float]:
-    """Return the numbers of a column in its unit, without those of their own form."""
-    return [
-        float(in_unit(value, column.unit)) for value in column.values if isinstance(value, float)
-    ]
-
-
-def is_numeric(column: Column) -> bool:
-    """Return whether a column has numbers, and not only texts."""
-    return any(isinstance(value, float | int | Number) for value in column.values)
 
 
 def peaks(column: Column) -> list[bool]:
@@ -205,8 +194,8 @@ def has_unit_line(block: Table) -> bool:
 
 def stands_left(column: Column) -> bool:
     """Return whether the cells of a column stand on the left: texts, if nothing else is said."""
-    texts = any(isinstance(value, str) for value in column.values)
-    return column.align == "left" or (not column.align and texts and not is_numeric(column))
+    texts = {isinstance(value, str) for value in column.values if value is not None}
+    return column.align == "left" or (not column.align and texts == {True})
 
 
 # --- texts -------------------------------------------------------------------------------------

@@ -121,17 +121,16 @@ class _Setter:
         """Set a section, or sections beside each other where there is room."""
         if isinstance(one, Section):
             return self._section(one, width)
-        left = self._stacked(one.left, width)
-        room = width - _widest(left) - one.gap
+        left = _joined([self._section(own, width) for own in one.left])
+        begin = _widest(left) + one.gap
+        room = width - begin
         sketches = (b for own in one.right for b in own.blocks if isinstance(b, Figure))
         if max((sketch.width for sketch in sketches), default=0) <= room:
-            right = self._stacked(one.right, room)
+            right = _joined([self._section(own, room) for own in one.right])
             if _widest(right) <= room:
-                return _beside(left, right, one.gap)
-        return _joined([left, self._stacked(one.right, width)])
-
-    def _stacked(self, sections: Iterable[Section], width: int) -> Lines:
-        return _joined([self._section(one, width) for one in sections])
+                pairs = zip_longest(left, right, fillvalue=_EMPTY)
+                return [(*a, *_blank(begin - _widest([a])), *b) for a, b in pairs]
+        return _joined([left, *(self._section(own, width) for own in one.right)])
 
     def _section(self, section: Section, width: int) -> Lines:
         heading: Lines = []
@@ -150,7 +149,7 @@ class _Setter:
 
     def _hanging(self, label: Line, content: str, width: int, style: str = "") -> Lines:
         """Break a text into lines that begin to the right of its label."""
-        margin = _size(label)
+        margin = _widest([label])
         pieces = [
             piece
             for line in self.medium.fitted(content).split("\n")
@@ -224,9 +223,9 @@ class _Setter:
     def _table(self, block: Table, width: int) -> Lines:
         if block.only_in_files:
             return []
-        lines: Lines = []
-        for heading, part in broken(
-            block, lambda table: _width(self._set_columns(table), table) <= width
+        lines = self._hanging(_EMPTY, block.caption, width, _BOLD) if block.caption else []
+        for number, (heading, part) in enumerate(
+            broken(block, lambda table: _width(self._set_columns(table), table) <= width)
         ):
             table = self._set_columns(part)
             if _width(table, part) > width:  # closer to each other, then to the margin
@@ -235,7 +234,7 @@ class _Setter:
                 part = replace(part, indent=0)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
-            lines += [_EMPTY] if lines else []
+            lines += [_EMPTY] if number else []
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines
@@ -243,7 +242,7 @@ class _Setter:
     def _assembled(self, columns: Sequence[Lines], block: Table, width: int) -> Lines:
         """Put columns beside each other, the rule and the names of groups between their lines."""
         rows = self._rows(columns, block, width)
-        heads = 0 if block.headless else _head_lines(block) + has_unit_line(block)
+        heads = len(rows) - len(block.columns[0].values)
         head, body = [line for lines in rows[:heads] for line in lines], rows[heads:]
         if block.rule:
             head.append(self._rule(_widest([line for lines in rows for line in lines])))
@@ -259,43 +258,47 @@ class _Setter:
 
     def _rows(self, columns: Sequence[Lines], block: Table, width: int) -> list[Lines]:
         """Put cells beside each other; texts at the end of too wide a table hang in lines."""
-        whole = _in_columns(columns, block.indent, block.gap)
         shown = [column for column in block.columns if not column.bar]
-        last = columns[-1] if len(columns) == len(shown) and stands_left(shown[-1]) else []
-        if _width(columns, block) <= width or len(columns) < 2 or not last:
-            return [[line] for line in whole]
-        labels = _in_columns(columns[:-1], block.indent, block.gap)
-        gap = _blank(block.gap)
-        return [
-            self._hanging(label + gap, _plain(cell).rstrip(), width, _style_of(cell))
-            for label, cell in zip(labels, last, strict=True)
-        ]
+        hangs = len(columns) == len(shown) > 1 and stands_left(shown[-1])
+        hangs = hangs and _width(columns, block) > width
+        indent, gap, rows = _blank(block.indent), _blank(block.gap), []
+        for cells_ in zip(*columns, strict=True):
+            begun = [*indent, *cells_[0]]
+            for one in cells_[1:-1] if hangs else cells_[1:]:
+                begun += (*gap, *one)
+            label, last = tuple(begun), cells_[-1]
+            rows.append(
+                self._hanging(label + gap, _plain(last).rstrip(), width, _style_of(last))
+                if hangs
+                else [label]
+            )
+        return rows
 
     def _set_columns(self, block: Table) -> list[Lines]:
         """Return each column but bars as its heads and cells, padded to one width."""
-        return [self._set_column(column, block) for column in block.columns if not column.bar]
-
-    def _set_column(self, column: Column, block: Table) -> Lines:
-        room = " " if column.peak else ""
-        texts, tops = cells(column), peaks(column)
-        tones = column.tones or [column.tone] * len(texts)
-        lines: Lines = []
-        for text, top, tone in zip(texts, tops, tones, strict=True):
-            style = _STYLES["peak" if top else tone]
-            style = _DIM if text.strip() == ABSENT else style
-            mark = (PEAK if top else " ") if column.peak else ""
-            lines.append(self._text(text + mark, style))
-        column_ = [*self._heads(column, block, room), *lines]
-        width = _widest(column_)
-        return [_padded(line, width, stands_left(column)) for line in column_]
+        found = []
+        for column in block.columns:
+            if column.bar:
+                continue
+            lines, texts = self._heads(column, block, " " if column.peak else ""), cells(column)
+            tones = column.tones or [column.tone] * len(texts)
+            for text, top, tone in zip(texts, peaks(column), tones, strict=True):
+                style = _DIM if text.strip() == ABSENT else _STYLES["peak" if top else tone]
+                mark = (PEAK if top else " ") if column.peak else ""
+                lines.append(self._text(text + mark, style))
+            width, left = _widest(lines), stands_left(column)
+            found.append([_padded(line, width, left) for line in lines])
+        return found
 
     def _heads(self, column: Column, block: Table, room: str) -> Lines:
         if block.headless:
             return []
-        words = column.head.split("\n")
-        count = _head_lines(block)
+        words, units = column.head.split("\n"), has_unit_line(block)
+        # heads end in one line, that of the units below it; those without a unit may end there
+        ends = [c.head.count("\n") + (0 if units and not c.unit else 1) for c in block.columns]
+        count = max(ends, default=1) or 1
         above = [_EMPTY] * (count - len(words))
-        if not has_unit_line(block):
+        if not units:
             unit = f" {column.unit}" if column.unit and block.units == "behind" else ""
             words[-1] = f"{words[-1]}{unit}".strip()
             return [*above, *(self._text(word + room, _DIM) for word in words)]
@@ -355,22 +358,12 @@ def _plain(line: Line) -> str:
     return "".join([text for text, _ in line])
 
 
-def _size(line: Line) -> int:
-    return sum([len(text) for text, _ in line])
-
-
 def _widest(lines: Iterable[Line]) -> int:
-    return max(map(_size, lines), default=0)
+    return max((sum([len(text) for text, _ in line]) for line in lines), default=0)
 
 
 def _blank(width: int) -> Line:
     return ((" " * width, ""),)
-
-
-def _beside(left: Lines, right: Lines, gap: int) -> Lines:
-    width = _widest(left) + gap
-    pairs = zip_longest(left, right, fillvalue=_EMPTY)
-    return [(*one, *_blank(width - _size(one)), *other) for one, other in pairs]
 
 
 def _joined(parts: Sequence[Lines]) -> Lines:
@@ -378,31 +371,9 @@ def _joined(parts: Sequence[Lines]) -> Lines:
     return [line for part in parts if part for line in (_EMPTY, *part)][1:]
 
 
-def _in_columns(columns: Sequence[Lines], indent: int, gap: int) -> Lines:
-    rows: Lines = []
-    for cells_ in zip(*columns, strict=True):
-        row = list(_blank(indent))
-        for number, one in enumerate(cells_):
-            row += (*_blank(gap), *one) if number else one
-        rows.append(tuple(row))
-    return rows
-
-
 def _padded(cell: Line, width: int, left: bool) -> Line:
-    room = _blank(width - _size(cell))
+    room = _blank(width - _widest([cell]))
     return cell + room if left else room + cell
-
-
-def _head_lines(block: Table) -> int:
-    """Count the lines of the longest head, without that of the units; others may end there."""
-    units = has_unit_line(block)
-    return (
-        max(
-            (c.head.count("\n") + (0 if units and not c.unit else 1) for c in block.columns),
-            default=1,
-        )
-        or 1
-    )
 
 
 def _style_of(cell: Line) -> str:

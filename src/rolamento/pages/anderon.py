@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Final
 
 from rolamento import document as doc
 from rolamento import plots
-from rolamento.pages.data import in_files
+from rolamento.pages.data import in_files, signal_entry
 from rolamento.pages.notes import about
 from rolamento.units import HOUR
 from rolamento.vibration.anderon import BANDS, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
-from rolamento.words import ABSENT, manner, marked, said, said_in
+from rolamento.words import ABSENT, manner, said, said_in
 from rolamento.words.naming import one_line
 from rolamento.words.sentences.noise import band_name
 
@@ -28,12 +28,6 @@ _TONES: Final[dict[str, doc.Tone]] = {
     "rejected": "bad-strong",
     "not_measured": "warning-strong",
     "none": "faint",
-}
-_QUANTITIES: Final = {
-    "velocity": marked("velocity"),
-    "acceleration": marked("acceleration"),
-    "displacement": marked("displacement"),
-    "unknown": marked("signal"),
 }
 _LONGEST_NAME: Final = 32
 
@@ -132,19 +126,7 @@ def _statement(found: NoiseResult) -> doc.Section:
 
 
 def _facts(one: MeasuredNoise) -> doc.Section:
-    signal = one.noise.velocity
-    entries = (
-        doc.Entry(said("speed"), _speed(one)),
-        doc.Entry(
-            said("signal"),
-            said(
-                "{quantity}, {duration:.4 s} at {rate:.6 Hz}",
-                quantity=said(_QUANTITIES[signal.quantity]),
-                duration=signal.duration,
-                rate=signal.rate,
-            ),
-        ),
-    )
+    entries = (doc.Entry(said("speed"), _speed(one)), signal_entry(one.noise.velocity))
     return doc.Section("", (doc.Title(one_line(one.title)), doc.KeyValues(entries)), "given")
 
 

@@ -17,6 +17,7 @@ from rolamento.catalogue import (
 )
 from rolamento.types import TYPES
 from rolamento.words import manner, marked, said
+from rolamento.words.quantities import CALLED
 
 __all__ = ["KINDS", "bearing_page", "search_page"]
 
@@ -28,8 +29,8 @@ _SHORT_NAMES: Final = {
 KINDS: Final = {key: one.name for key, one in TYPES.items()}
 _OF_THRUST: Final = {
     "width": marked("height T"),
-    "dynamic_rating": marked("dynamic axial load rating Ca"),
-    "static_rating": marked("static axial load rating C0a"),
+    "dynamic_rating": CALLED["axial_dynamic_rating"],
+    "static_rating": CALLED["axial_static_rating"],
 }
 """What the figures of a thrust bearing are called."""
 _OF_TAPERED: Final = {
@@ -42,10 +43,10 @@ _NAMES: Final = {
     "outside_diameter": marked("outside diameter D"),
     "width": marked("width B"),
     "contact_angle": marked("contact angle α"),
-    "dynamic_rating": marked("dynamic load rating C"),
-    "static_rating": marked("static load rating C0"),
-    "axial_dynamic_rating": marked("dynamic axial load rating Ca"),
-    "axial_static_rating": marked("static axial load rating C0a"),
+    "dynamic_rating": CALLED["dynamic_rating"],
+    "static_rating": CALLED["static_rating"],
+    "axial_dynamic_rating": CALLED["axial_dynamic_rating"],
+    "axial_static_rating": CALLED["axial_static_rating"],
     "load_centre_distance": marked("distance of the load centres"),
     "limiting_speed": marked("limiting speed, oil"),
     "f0": marked("factor f0"),
@@ -62,7 +63,7 @@ _NAMES: Final = {
     "axial_factor": marked("axial factor Y"),
     "static_axial_factor": marked("static axial factor Y0"),
     "load_centre": marked("load centre a"),
-    "fatigue_load_limit": marked("fatigue load limit C_u"),
+    "fatigue_load_limit": CALLED["fatigue_load_limit"],
     "roller_count": marked("number of rollers Z"),
     "roller_diameter": marked("roller diameter D_we"),
     "effective_length": marked("effective roller length L_we"),

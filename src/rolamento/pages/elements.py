@@ -6,7 +6,7 @@ stands outward.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import nan
 from typing import TYPE_CHECKING, Final, Literal
 
@@ -21,15 +21,17 @@ from rolamento.solved.form import control_names
 from rolamento.solved.notes import are_rollers
 from rolamento.types import type_of_element
 from rolamento.words import decimals_for, in_unit, manner, said, said_in
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from rolamento.solved import Rollers
 
 __all__ = [
+    "CONTACT_UNITS",
+    "contact_name",
     "element_sections",
     "element_tables",
     "heaviest_section",
-    "main_table",
     "roller_pictures",
     "without_rounding",
 ]
@@ -38,11 +40,6 @@ _NO_MOTION: Final = 1e-9
 """Angles (rad) and ratios that are rounding."""
 _NO_TILT: Final = 1e-8
 """rad: of rollers."""
-
-
-def main_table(solved: Solved) -> str:
-    """Return the key of the table of elements that a file of one table holds."""
-    return "balls" if "ball" in solved.rows.element else "rollers"
 
 
 # --- the heaviest element ------------------------------------------------------------------------
@@ -62,25 +59,22 @@ def heaviest_section(solved: Solved) -> Section:
         heading = said("Heaviest ball: #{number} of row {row} at {azimuth:.5 °}", **place)
     else:
         heading = said("Heaviest ball: #{number} at {azimuth:.5 °}", **place)
-    angle, at_a_depth = (said("contact angle"), "°", "contact_angle"), "  " + said("at a depth of")
-    first = (
-        (said("load"), "N", "load"),
-        *((angle,) if not roller or type_of_element(solved.rows.element[row]).conical else ()),
-        (said("approach of the middle") if roller else said("approach"), "µm", "deflection"),
-        (said("maximum pressure"), "MPa", "max_pressure"),
-    )
-    ellipse = (
-        (said("ellipse, semi-major"), "mm", "semi_major"),
-        (said("ellipse, semi-minor"), "mm", "semi_minor"),
-    )
-    shown = (
-        *first,
-        *(_along_the_roller(solved, one) if roller else ellipse),
-        (said("maximum shear"), "MPa", "max_shear"),
-        (at_a_depth, "mm", "max_shear_depth"),
-        (said("orthogonal shear"), "MPa", "orthogonal_shear"),
-        (at_a_depth, "mm", "orthogonal_shear_depth"),
-    )
+    element, depth = solved.rows.element[row], "  " + said("at a depth of")
+
+    angle = ["contact_angle"] * (not roller or type_of_element(element).conical)
+    length = [] if roller else ["semi_major"]
+    names = ["load", *angle, "deflection", "max_pressure", *length, "semi_minor", "max_shear",
+             "max_shear_depth", "orthogonal_shear", "orthogonal_shear_depth"]  # fmt: skip
+    shown: list[tuple[str, str, str | dict[Race, float]]] = [
+        (
+            depth if name.endswith("depth") else contact_name(name, [element]),
+            CONTACT_UNITS[name],
+            name,
+        )
+        for name in names
+    ]
+    if roller:
+        shown[names.index("semi_minor") : 0] = _along_the_roller(solved, one)
     races = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
     columns = [
         Column("", [label for label, _, _ in shown], "quantity"),
@@ -114,7 +108,6 @@ def _along_the_roller(
         (said("pressure in the middle"), "MPa", middle),
         (said("pressure at the −x end"), "MPa", left),
         (said("pressure at the +x end"), "MPa", right),
-        (said("half-width"), "mm", "semi_minor"),
     )
 
 
@@ -173,20 +166,41 @@ def _row_names(solved: Solved, chosen: BoolArray) -> tuple[tuple[int, str], ...]
     )
 
 
-_CONTACT_COLUMNS: Final = (
-    ("load", "N"),
-    ("contact_angle", "°"),
-    ("deflection", "µm"),
-    ("semi_major", "mm"),
-    ("semi_minor", "mm"),
-    ("max_pressure", "MPa"),
-    ("mean_pressure", "MPa"),
-    ("max_shear", "MPa"),
-    ("max_shear_depth", "mm"),
-    ("orthogonal_shear", "MPa"),
-    ("orthogonal_shear_depth", "mm"),
-    ("spin_to_roll", ""),
-)
+CONTACT_UNITS: Final = {
+    "load": "N",
+    "contact_angle": "°",
+    "deflection": "µm",
+    "semi_major": "mm",
+    "semi_minor": "mm",
+    "max_pressure": "MPa",
+    "mean_pressure": "MPa",
+    "max_shear": "MPa",
+    "max_shear_depth": "mm",
+    "orthogonal_shear": "MPa",
+    "orthogonal_shear_depth": "mm",
+    "spin_to_roll": "",
+}
+"""Numbers of contacts, and the units in which they are read."""
+_OF_LINES: Final = {
+    "deflection": "line_deflection",
+    "semi_major": "half_length",
+    "semi_minor": "half_width",
+}
+"""What is called otherwise of a line of contact."""
+
+
+def contact_name(name: str, elements: Iterable[str]) -> str:
+    """Return what a number of the contacts is called, by its name in `CONTACT_UNITS`.
+
+    elements: what rolls there, as of `Row.element`.
+    """
+    line = called(_OF_LINES.get(name, name))
+    kinds = set(elements)
+    if name not in _OF_LINES or "ball" not in kinds:
+        return line
+    if kinds == {"ball"}:
+        return called(name)
+    return said("{balls}; of rollers {rollers}", balls=called(name), rollers=line)
 
 
 # --- balls ---------------------------------------------------------------------------------------
@@ -220,7 +234,7 @@ def balls_table(solved: Solved) -> Table:
             )  # fmt: skip
     columns.append(Column("Q_i", solved.inner.load[0, balls].tolist(), bar=True))
     breaks: tuple[Break, ...] = ()
-    if _turning(solved):
+    if solved.case.duty.inner_speed or solved.case.duty.outer_speed:
         heading = said("Motion of the balls")
         legend = said(
             "F_c centrifugal force, M_g gyroscopic moment, n_m orbital speed, n_R ball speed, "
@@ -249,10 +263,6 @@ def balls_table(solved: Solved) -> Table:
     )
 
 
-def _turning(solved: Solved) -> bool:
-    return solved.case.duty.inner_speed != 0.0 or solved.case.duty.outer_speed != 0.0
-
-
 def all_of_the_balls(solved: Solved) -> Table:
     """Return the table of balls that is written to files: all numbers, touching or not."""
     elements, balls = solved.elements, ~are_rollers(solved)
@@ -264,7 +274,7 @@ def all_of_the_balls(solved: Solved) -> Table:
     columns += [
         Column(name, values, f"{race}_{name}", unit)
         for race in RACES
-        for name, unit in _CONTACT_COLUMNS
+        for name, unit in CONTACT_UNITS.items()
         for values in [getattr(solved.contacts[race], name)[0, balls].tolist()]
     ]
     columns += [
@@ -369,7 +379,8 @@ def rollers_table(solved: Solved) -> Table:
     if np.nan_to_num(rollers.rib_force[0]).any():
         symbols.append(said("F_rib force of the rib on the roller's end"))
         columns.append(own("F_rib", "N", rollers.rib_force[0], "rib_force"))
-    if _turning(solved):
+    turning = bool(solved.case.duty.inner_speed or solved.case.duty.outer_speed)
+    if turning:
         symbols.append(said("F_c centrifugal force"))
         columns.append(own("F_c", "N", elements.centrifugal_force[0], "centrifugal_force", 5))
         if any(type_of_element(one).conical for one in solved.rows.element):
@@ -381,7 +392,7 @@ def rollers_table(solved: Solved) -> Table:
             own("n_m", "rpm", elements.orbital_speed[0], "orbital_speed", 5),
             own("n_R", "rpm", elements.ball_speed[0], "roller_speed", 5),
         ]
-    heading = said("Ends and motion of the rollers") if _turning(solved) else said("Ends")
+    heading = said("Ends and motion of the rollers") if turning else said("Ends")
     breaks = (Break(first, heading, ", ".join(symbols)),)
     legend = said(
         "Q load, p maximum pressure along the roller, x its place from the middle toward +x, θ tilt"
@@ -408,7 +419,6 @@ def all_of_the_rollers(solved: Solved) -> Table:
     def own(head: str, of: FloatArray, unit: str = "") -> Column:
         return Column(head, of[chosen].tolist(), head, unit)
 
-    units = dict(_CONTACT_COLUMNS)
     columns = [
         Column("row", elements.row[chosen].tolist(), "row"),
         Column("roller", np.flatnonzero(chosen).tolist(), "roller"),
@@ -420,7 +430,7 @@ def all_of_the_rollers(solved: Solved) -> Table:
                 f"{race}_{name}",
                 getattr(solved.contacts[race], of)[0, chosen].tolist(),
                 f"{race}_{name}",
-                units[of],
+                CONTACT_UNITS[of],
             )
             for of, name in _ROLLER_CONTACTS.items()
         ]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rolamento import document as doc
 from rolamento.words import said
+from rolamento.words.naming import machine_title
 
 if TYPE_CHECKING:
     from rolamento.exchange.rexs import Exported, Imported
@@ -25,7 +26,7 @@ def import_page(found: Imported) -> doc.Document:
     found
         Of a `rolamento.tasks.ImportRequest`.
     """
-    title = found.machine.title or said("Machine without a title")
+    title = machine_title(found.machine.title)
     by = said("REXS {version}, written by {application}", version=found.version,
               application=found.application or "–")  # fmt: skip
     parts = Counter(

@@ -15,6 +15,7 @@ from rolamento.pages.notes import cautions
 from rolamento.pages.quantities import Quantity, beside
 from rolamento.solved import RACES
 from rolamento.words import marked, said, said_in
+from rolamento.words.quantities import CALLED
 
 if TYPE_CHECKING:
     from rolamento.lubrication import Film
@@ -90,7 +91,7 @@ def _at_thinnest(film: Film, race: Race, name: str) -> float:
 FILMS: Final = (
     ("central_thickness", marked("central film thickness h_c"), ".3 µm"),
     ("minimum_thickness", marked("minimum film thickness h_0"), ".3 µm"),
-    ("film_parameter", marked("film parameter λ"), ".3"),
+    ("film_parameter", CALLED["film_parameter"], ".3"),
     ("entrainment_speed", marked("entrainment speed"), ".3 m/s"),
     ("thermal_factor", marked("thermal factor"), ".3 %"),
     ("starvation_factor", marked("starvation factor"), ".3 %"),

@@ -13,6 +13,7 @@ from rolamento.friction.models import torque_model_name
 from rolamento.pages.given import case_page, head
 from rolamento.pages.notes import cautions
 from rolamento.words import in_unit, marked, said
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from rolamento.analysis import Analysis
@@ -23,11 +24,9 @@ __all__ = [
     "SOURCES",
     "friction_page",
     "friction_sections",
-    "power_name",
     "power_unit",
     "source_name",
     "torque_and_power",
-    "torque_name",
     "torque_unit",
     "validity_text",
 ]
@@ -164,29 +163,20 @@ def torque_and_power(solved: Solved, friction: Friction) -> doc.Section:
     return doc.Section(said("Friction"), blocks, "friction")
 
 
-def power_name(friction: Friction, case: int = 0) -> str:
-    """Say whether a power loss is an upper bound, as it is labelled."""
-    return said("power loss, at most") if friction.upper_bound[case] else said("power loss")
-
-
-def torque_name(friction: Friction, case: int = 0) -> str:
-    """Say whether a running torque is an upper bound, as it is labelled."""
-    return said("running torque, at most") if friction.upper_bound[case] else said("running torque")
-
-
 def _totals(friction: Friction) -> doc.Table:
     from rolamento.friction.line_losses import RIB_COEFFICIENT
 
     running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
     power = float(friction.power[0])
-    rows = [(torque_name(friction), running), (said("starting torque"), starting)]
+    bound = bool(friction.upper_bound[0])
+    rows = [(called("torque", bound=bound), running), (called("starting_torque"), starting)]
     for name, found in friction.models.items():
         if found.starting is not None:
             text = said("starting torque, {model}", model=torque_model_name(name))
             rows.append((text, float(found.starting[0])))
     torque, watt = torque_unit([value for _, value in rows]), power_unit([power])
     units = [torque] * len(rows) + [watt]
-    rows.append((power_name(friction), power))
+    rows.append((called("power", bound=bound), power))
     values = [
         doc.Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)
     ]

@@ -99,20 +99,20 @@ def _torques(curve: FrictionCurve, number: int) -> doc.Section:
             )
         )
     legend = said(
-        "running torque of all sources, in {unit}: the contacts by each model, elastic hysteresis;"
+        "friction torque of all sources, in {unit}: the contacts by each model, elastic hysteresis;"
         " friction control includes the inertia of the balls",
         unit=unit,
     )
     if "rolling_resistance" in curve.friction.heat:
         legend = said(
-            "running torque of all sources, in {unit}: the contacts by each model, elastic"
+            "friction torque of all sources, in {unit}: the contacts by each model, elastic"
             " hysteresis, hydrodynamic rolling resistance; friction control includes the inertia"
             " of the balls",
             unit=unit,
         )
     if curve.case.bearing.element != "ball":
         legend = said(
-            "running torque of all sources, in {unit}: the contacts, elastic"
+            "friction torque of all sources, in {unit}: the contacts, elastic"
             " hysteresis, hydrodynamic rolling resistance; Palmgren and SKF have formulas for the"
             " whole bearing",
             unit=unit,

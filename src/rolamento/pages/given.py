@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from math import nan
 from typing import TYPE_CHECKING, Final
 
@@ -15,10 +15,11 @@ from rolamento.case.roller_bearing import RollerBearing, raceway_radii
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Beside, Document, Entry, Figure, KeyValues, Section, Title
 from rolamento.geometry import Race
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.notes import cautions_section, notes_section
 from rolamento.solved.notes import nothing_given
 from rolamento.units import Dimension, readable
-from rolamento.words import Note, manner, said, said_in
+from rolamento.words import Note, manner, marked, said, said_in
+from rolamento.words.headlines import parted
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def case_page(
         first,
         *cautions_section((*found, *cautions)),
         *sections,
-        *notes_section((*remarks_of(found), *remarks)),
+        *notes_section((*parted(found)[1], *remarks)),
     )
     return Document(title_of(case), whole, kind=kind, main=main)
 
@@ -83,7 +84,8 @@ def head(solved: Solved) -> Section:
     """Return the title, what was given, and how the solution ended."""
     case = solved.case
     delivered = _bearing(solved.delivered_case.bearing)
-    bearing = "\n".join((delivered, *_in_operation(solved)))
+    mounted = [] if solved.before_mounting is None else _in_operation(solved)
+    bearing = "\n".join((delivered, *mounted))
     entries = (
         Entry(said("bearing"), bearing),
         Entry(said("duty"), _duty(case.duty)),
@@ -116,9 +118,7 @@ def quantity(value: float, dimension: Dimension) -> str:
 
 
 def _in_operation(solved: Solved) -> list[str]:
-    """Say what mounting and heat make of the play of a bearing; nothing of one as delivered."""
-    if solved.before_mounting is None:
-        return []
+    """Say what mounting and heat make of the play of a bearing."""
     rows = [place.bearing for place in solved.case.bearing.places]
     plays = dict.fromkeys(
         said("contact angle {angle:.4 °}", angle=row.contact_angle)
@@ -474,12 +474,36 @@ def _duty(duty: Duty) -> str:
     return ", ".join(given)
 
 
+_CONTROLS: Final = {
+    "outer": marked("outer raceway control"),
+    "inner": marked("inner raceway control"),
+    "jones": marked("raceway control by Jones's criterion"),
+    "none": marked("no raceway control: the races share the gyroscopic moment"),
+    "friction": marked("ball motion governed by friction alone"),
+}
+_CAGES: Final = {
+    "loose": marked("loose cage: it drives only balls that no race controls"),
+    "rigid": marked("rigid cage: all balls orbit with it"),
+    "none": marked("no cage: raceway control alone drives the balls"),
+}
+
+
 def model_text(case: Case) -> str:
     """Return the choices that matter: at rest, none but how a line of contact carries."""
-    elements = [place.bearing.element for place in case.bearing.places]
-    texts = [] if set(elements) == {"ball"} else [_line_contact(case)]
-    if case.duty.inner_speed != 0.0 or case.duty.outer_speed != 0.0:
-        texts += _in_motion(case, elements)
+    model, kinds = case.model, {place.bearing.element for place in case.bearing.places}
+    texts = [] if kinds == {"ball"} else [_line_contact(case)]
+    if case.duty.inner_speed == case.duty.outer_speed == 0.0:
+        return ", ".join(texts)
+    balls = "ball" in kinds  # rollers have no choice of control
+    if balls:
+        texts.append(said(_CONTROLS[model.raceway_control]))
+    # the default is not said, nor anything under friction control, where the cage is always rigid
+    if balls and model.cage != "loose" and model.raceway_control != "friction":
+        texts.append(said(_CAGES[model.cage]))
+    if not model.centrifugal_force:
+        texts.append(said("no centrifugal force"))
+    if balls and not model.gyroscopic_moment:
+        texts.append(said("no gyroscopic moment"))
     return ", ".join(texts)
 
 
@@ -493,33 +517,6 @@ def _line_contact(case: Case) -> str:
     if case.model.roller_contact == "coupled":
         return said("{slices} slices coupled by the elastic half-space", slices=slices)
     return said("{slices} independent slices (ISO/TS 16281)", slices=slices)
-
-
-def _in_motion(case: Case, elements: Sequence[str]) -> list[str]:
-    """What matters once the rings turn."""
-    model = case.model
-    if "ball" not in elements:  # rollers have no choice of control
-        return [] if model.centrifugal_force else [said("no centrifugal force")]
-    control = {
-        "outer": said("outer raceway control"),
-        "inner": said("inner raceway control"),
-        "jones": said("raceway control by Jones's criterion"),
-        "none": said("no raceway control: the races share the gyroscopic moment"),
-        "friction": said("ball motion governed by friction alone"),
-    }
-    cage = {
-        "loose": said("loose cage: it drives only balls that no race controls"),
-        "rigid": said("rigid cage: all balls orbit with it"),
-        "none": said("no cage: raceway control alone drives the balls"),
-    }
-    # the default is not said, nor anything under friction control, where the cage is always rigid
-    usual = model.cage == "loose" or model.raceway_control == "friction"
-    texts = [control[model.raceway_control], *([] if usual else [cage[model.cage]])]
-    if not model.centrifugal_force:
-        texts.append(said("no centrifugal force"))
-    if not model.gyroscopic_moment:
-        texts.append(said("no gyroscopic moment"))
-    return texts
 
 
 def no_load_text() -> str:

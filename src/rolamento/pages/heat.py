@@ -17,6 +17,7 @@ from rolamento.pages.notes import cautions
 from rolamento.pages.quantities import Quantity, beside
 from rolamento.units import HOUR
 from rolamento.words import marked, said
+from rolamento.words.quantities import called
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import CONDUCTANCE_NAMES, PLACE_NAMES
 
@@ -93,7 +94,7 @@ def _headline(found: HeatBalance) -> Iterator[doc.Block]:
                 housing=at["housing"],
             ),
         ),
-        doc.Entry(said("power loss"), doc.Number(root.power, ".4 W")),
+        doc.Entry(called("power"), doc.Number(root.power, ".4 W")),
     ]
     if found.cold.preload is not None and warm.preload is not None:
         text = said(
@@ -168,15 +169,15 @@ def _states_beside(found: HeatBalance) -> doc.Section:
         Quantity(said("axial load"), lambda one: one.axial_load or None, ".4 N"),
     ]
     results: list[Quantity[HeatState]] = [
-        Quantity(said("maximum pressure"), lambda one: one.max_pressure, ".4 MPa"),
-        Quantity(said("film parameter λ"), lambda one: one.film_parameter, ".3"),
-        Quantity(said("viscosity ratio κ"), lambda one: one.viscosity_ratio, ".3"),
+        Quantity(called("max_pressure"), lambda one: one.max_pressure, ".4 MPa"),
+        Quantity(called("film_parameter"), lambda one: one.film_parameter, ".3"),
+        Quantity(called("viscosity_ratio"), lambda one: one.viscosity_ratio, ".3"),
         Quantity(
-            said("friction torque"),
+            called("torque"),
             lambda one: one.torque,
             f".4 {torque_unit([one.torque for one in states])}",
         ),
-        Quantity(said("power loss"), lambda one: one.power, ".4 W"),
+        Quantity(called("power"), lambda one: one.power, ".4 W"),
         Quantity(said("life"), lambda one: HOUR * (one.life_hours or nan), ".3 h"),
     ]
     lines = [
@@ -213,7 +214,7 @@ def _roots(found: HeatBalance) -> doc.Section:
     tones: list[doc.Tone] = ["" if one.stable else "warning" for one in roots]
     columns = [
         doc.Column("", [said(_STABLE[one.stable]) for one in roots], "stability", tones=tones),
-        doc.Column(said("power loss"), [one.power for one in roots], "power", "W"),
+        doc.Column(called("power"), [one.power for one in roots], "power", "W"),
     ]
     columns += [
         doc.Column(
@@ -247,7 +248,7 @@ def heat_over_page(found: HeatOver) -> doc.Document:
     for node, values in zip(NODES, found.temperatures, strict=True):
         cells: list[doc.CellContent] = [doc.Number(value, ".1f [°C]") for value in values.tolist()]
         columns.append(doc.Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
-    columns.append(doc.Column(said("power loss"), found.power.tolist(), "power", "W"))
+    columns.append(doc.Column(called("power"), found.power.tolist(), "power", "W"))
     if found.has_preload:
         for head, key, values in (
             (said("preload, cold"), "cold_preload", found.cold_preload),
@@ -262,7 +263,7 @@ def heat_over_page(found: HeatOver) -> doc.Document:
             for head, values, unit, key in (
                 (said("axial stiffness"), found.axial_stiffness, "N/µm", "axial_stiffness"),
                 (said("free contact angle"), found.contact_angle, "°", "contact_angle"),
-                (said("viscosity ratio κ"), found.viscosity_ratio, "", "viscosity_ratio"),
+                (called("viscosity_ratio"), found.viscosity_ratio, "", "viscosity_ratio"),
             )
         ),
         doc.Column(said("status"), found.status.tolist(), "status", only_in_files=True),

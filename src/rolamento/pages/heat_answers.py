@@ -12,6 +12,7 @@ from rolamento.pages.given import case_page, picture, title_of
 from rolamento.pages.quantities import Quantity, beside
 from rolamento.units import HOUR
 from rolamento.words import said
+from rolamento.words.quantities import called
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import VARIANT_NAMES
 
@@ -106,14 +107,14 @@ def _variants(found: HeatAnswers) -> Section:
     lines: list[Quantity[HeatBalance]] = [
         Quantity(said("inner ring"), lambda one: one.temperatures["inner_ring"], ".1f °C"),
         Quantity(said("outer ring"), lambda one: one.temperatures["outer_ring"], ".1f °C"),
-        Quantity(said("power loss"), lambda one: one.power, ".4 W"),
-        _warm(said("friction torque"), lambda one: one.torque, torque),
+        Quantity(called("power"), lambda one: one.power, ".4 W"),
+        _warm(called("torque"), lambda one: one.torque, torque),
         Quantity(said("preload, cold"), lambda one: one.cold.preload or None, ".4 N"),
         _warm(said("preload, warm"), lambda one: one.preload, ".4 N"),
         _warm(said("axial stiffness"), lambda one: one.axial_stiffness, ".4 N/µm"),
-        _warm(said("maximum pressure"), lambda one: one.max_pressure, ".4 MPa"),
-        _warm(said("film parameter λ"), lambda one: one.film_parameter, ".3"),
-        _warm(said("viscosity ratio κ"), lambda one: one.viscosity_ratio, ".3"),
+        _warm(called("max_pressure"), lambda one: one.max_pressure, ".4 MPa"),
+        _warm(called("film_parameter"), lambda one: one.film_parameter, ".3"),
+        _warm(called("viscosity_ratio"), lambda one: one.viscosity_ratio, ".3"),
         _warm(said("life"), lambda one: HOUR * (one.life_hours or nan), ".3 h"),
     ]
     balances = [one.balance for one in found.variants]

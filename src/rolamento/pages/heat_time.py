@@ -12,6 +12,7 @@ from rolamento.heat import NODES
 from rolamento.pages.given import case_page, picture, title_of
 from rolamento.pages.notes import remarks_of
 from rolamento.words import said
+from rolamento.words.quantities import called
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import PLACE_NAMES
 
@@ -71,7 +72,7 @@ def _headline(found: HeatTransient) -> list[doc.Block]:
         time=float(found.time[-1]),
     )
     entries.append(doc.Entry(said("temperatures"), text))
-    entries.append(doc.Entry(said("power loss"), doc.Number(float(found.power[-1]), ".4 W")))
+    entries.append(doc.Entry(called("power"), doc.Number(float(found.power[-1]), ".4 W")))
     return [*blocks, doc.KeyValues(tuple(entries))]
 
 
@@ -128,7 +129,7 @@ def _columns(
     for node, values in zip(NODES, found.temperatures[:, some], strict=True):
         cells: list[doc.CellContent] = [doc.Number(value, ".1f [°C]") for value in values.tolist()]
         columns.append(doc.Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
-    columns.append(doc.Column(said("power loss"), found.power[some].tolist(), "power", "W"))
+    columns.append(doc.Column(called("power"), found.power[some].tolist(), "power", "W"))
     if found.has_preload:
         columns.append(
             doc.Column(

@@ -19,7 +19,8 @@ from rolamento.life.theories import THEORIES
 from rolamento.pages.given import case_page, head
 from rolamento.pages.notes import cautions
 from rolamento.units import HOUR
-from rolamento.words import ABSENT, Note, said
+from rolamento.words import ABSENT, Note, manner, said
+from rolamento.words.quantities import called
 from rolamento.words.theories import theory_life, theory_name, theory_scope
 
 if TYPE_CHECKING:
@@ -529,7 +530,7 @@ def theories_section(summary: LifeSummary) -> doc.Section:
     judged = [(bool(life.valid[0]), bool(life.below[0])) for life in lives]
     columns.append(
         doc.Column(
-            said("valid"),
+            said("valid here"),
             [verdict(*one) for one in judged],
             "valid",
             tones=["good" if valid else "warning" for valid, _ in judged],
@@ -566,19 +567,13 @@ def _factor_columns(lives: Sequence[Life], tones: Sequence[doc.Tone]) -> Iterato
 
 def _conditions(summary: LifeSummary) -> list[doc.Block]:
     """Write κ and e_C, which no theory has otherwise than the others."""
-    ratio, clean = summary.viscosity_ratio, summary.contamination_factor
-    if ratio is not None and clean is not None:
-        values = {"kappa": float(ratio[0]), "clean": float(clean[0])}
-        text = said(
-            "viscosity ratio κ = {kappa:.3}, contamination factor e_C = {clean:.3}", **values
-        )
-    elif ratio is not None:
-        text = said("viscosity ratio κ = {kappa:.3}", kappa=float(ratio[0]))
-    elif clean is not None:
-        text = said("contamination factor e_C = {clean:.3}", clean=float(clean[0]))
-    else:
-        return []
-    return [doc.Statement(text, indent=2)]
+    found = ((name, getattr(summary, name)) for name in _CONDITIONS)
+    known = [
+        f"{called(name)} = {manner().number(float(value[0]), FACTOR)}"
+        for name, value in found
+        if value is not None
+    ]
+    return [doc.Statement(", ".join(known), indent=2)] if known else []
 
 
 def _legend(lives: Sequence[Life], leads: bool) -> str:
@@ -815,10 +810,7 @@ def life_section(solved: Solved, summary: LifeSummary) -> doc.Section:
     loads = summary.loads
     turns = any(not isnan(life.hours[0]) for life in summary.theories.values())
     numbers = [
-        text
-        for life in _standard_lives(summary)
-        for text in [_in_hours(life) if turns else _in_revolutions(life)]
-        if text
+        text for life in _standard_lives(summary) for text in [_shortly(life, hours=turns)] if text
     ]
     load = float(loads.dynamic[0])
     if load > 0.0:
@@ -833,22 +825,13 @@ def life_section(solved: Solved, summary: LifeSummary) -> doc.Section:
     return doc.Section(said("Life"), tuple(blocks), "life")
 
 
-def _in_hours(life: Life) -> str:
-    hours, name = float(life.hours[0]) * HOUR, theory_name(life.theory)
-    if isnan(hours):
+def _shortly(life: Life, *, hours: bool) -> str:
+    """A life by a theory in a word; empty without one."""
+    value = float(life.hours[0]) * HOUR if hours else float(life.life[0]) * MILLION
+    if isnan(value):
         return ""
-    if life.below[0]:
-        return said("{theory}: <{hours:.3r h}", theory=name, hours=hours)
-    return said("{theory}: {hours:.3r h}", theory=name, hours=hours)
-
-
-def _in_revolutions(life: Life) -> str:
-    turns, name = float(life.life[0]) * MILLION, theory_name(life.theory)
-    if isnan(turns):
-        return ""
-    if life.below[0]:
-        return said("{theory}: <{life:.3r 10⁶ rev}", theory=name, life=turns)
-    return said("{theory}: {life:.3r 10⁶ rev}", theory=name, life=turns)
+    text = manner().number(value, ".3r h" if hours else ".3r 10⁶ rev")
+    return f"{theory_name(life.theory)}: {'<' * bool(life.below[0])}{text}"
 
 
 def life_notes(summary: LifeSummary) -> list[Note]:

@@ -160,7 +160,7 @@ def _theories(found: SpectrumLife) -> doc.Section:
         doc.Column("", [theory_name(name) for name in found.theories], "theory"),
         *life_columns([own.life for own in lives], [own.hours for own in lives]),
         doc.Column(
-            said("valid"),
+            said("valid here"),
             [verdict(*one) for one in judged],
             "valid",
             tones=["good" if valid else "warning" for valid, _ in judged],

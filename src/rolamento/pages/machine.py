@@ -23,6 +23,8 @@ from rolamento.units import HOUR
 from rolamento.vibration.frequencies import ABBREVIATIONS
 from rolamento.words import ENDLESS, Note, marked, said
 from rolamento.words.headlines import parted
+from rolamento.words.naming import machine_title
+from rolamento.words.quantities import called
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
@@ -46,7 +48,7 @@ def machine_page(found: MachineAnalysis) -> doc.Document:
         Of `rolamento.analysis.machine.analyse_machine`.
     """
     solved = found.solved
-    title = solved.title or said("Machine without a title")
+    title = machine_title(solved.title)
     sections = [
         doc.Section("", (doc.Title(title), _given(solved)), "given"),
         doc.Section(said("Life of all bearings together"), _life(found), "life"),
@@ -323,7 +325,7 @@ def _bearings(found: MachineAnalysis) -> doc.Section:
 
     legends = [
         said("forces and moment of the shaft on the inner ring, F_a toward +x"),
-        said("tilt between the rings"),
+        called("ring_tilt"),
     ]
     if any(isfinite(permissible_tilt(one)) for one in solved.bearings.values()):
         legends.append(said("permissible: what makers permit for such bearings"))
@@ -670,7 +672,7 @@ def machine_over_page(found: MachineCurve) -> doc.Document:
     breaks = tuple(doc.Break(2 + each * index, name) for index, name in enumerate(heads))
     legends = (said("the greatest of all steps; life of all bearings together, and of each"),)
     table = doc.Table(tuple(columns), "over", legends=legends, fixed=2, breaks=breaks)
-    title = machine.title or said("Machine without a title")
+    title = machine_title(machine.title)
     heading = said("{title} over {field}", title=title, field=found.key)
 
     figure = doc.Figure(heading, lambda: plots.machine_over_figure(found), "over")

@@ -12,6 +12,7 @@ from rolamento.heat import NODES
 from rolamento.pages.given import picture
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.words import said
+from rolamento.words.quantities import called
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import PLACE_NAMES
 
@@ -54,7 +55,7 @@ def _headline(found: MachineHeat) -> doc.Statement | doc.KeyValues:
     return doc.KeyValues(
         (
             doc.Entry(said("warmest part"), warmest),
-            doc.Entry(said("power loss"), doc.Number(float(found.power.sum()), ".4 W")),
+            doc.Entry(called("power"), doc.Number(float(found.power.sum()), ".4 W")),
             doc.Entry(
                 said("stability"),
                 said(
@@ -73,7 +74,7 @@ def _temperatures(found: MachineHeat) -> doc.Section:
             doc.Number(value, ".1f [°C]") for value in found.temperatures[:, index].tolist()
         ]
         columns.append(doc.Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
-    columns.append(doc.Column(said("power loss"), found.power.tolist(), "power", "W"))
+    columns.append(doc.Column(called("power"), found.power.tolist(), "power", "W"))
     table = doc.Table(tuple(columns), "bearings", rule=True)
     return doc.Section(said("Temperatures"), (table,), "bearings")
 

@@ -22,7 +22,7 @@ from rolamento.life.theories import THEORIES
 from rolamento.pages import quantities as q
 from rolamento.pages.clearance import STEPS, chain_lines, limit_heads
 from rolamento.pages.electrical import electrical_sections
-from rolamento.pages.elements import element_tables, roller_pictures
+from rolamento.pages.elements import CONTACT_UNITS, contact_name, element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.film import FILMS
 from rolamento.pages.frequencies import line_name
@@ -37,6 +37,7 @@ from rolamento.solved.notes import nothing_given
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, manner, marked, said, worded
 from rolamento.words.headlines import qualifies
+from rolamento.words.quantities import called
 from rolamento.words.reasons import why_not
 from rolamento.words.theories import theory_name
 
@@ -407,20 +408,20 @@ def _summary_rows(report: Report) -> list[_Quantity]:
         _life_row(report),
         q.Quantity(said("theory used"), _leading),
         q.Quantity(
-            said("reliability at the required life"),
+            called("required_life_reliability"),
             _reliability,
             ".4 %",
             "analysis.life.required_life.reliability",
         ),
         _static_safety(),
         _load_ratio(),
-        q.extreme(said("maximum contact pressure"), "max_pressure", ".4 MPa"),
+        q.extreme(called("max_pressure"), "max_pressure", ".4 MPa"),
         _viscosity_ratio(),
         q.extreme(said("minimum film parameter λ"), "film_parameter", ".3"),
         q.Quantity(said("speed"), _speed, ".5 rpm"),
-        _torque(report, said("friction torque"), said("friction torque, at most"), torque),
-        _power(report, power),
-        q.ROLLING(said("friction power (friction control)"), "power", power),
+        q.FRICTION(_bounded(report, "torque"), "torque", torque),
+        q.FRICTION(_bounded(report, "power"), "power", power),
+        q.ROLLING(called("rolling_power"), "power", power),
         _clearance_row(said("mean clearance in operation"), "mean"),
         q.PRELOAD(said("axial preload at speed"), "at_speed", ".4 N"),
         _stiffness_row(said("axial stiffness"), 0),
@@ -444,25 +445,16 @@ def _speed(case: CaseReport) -> float | None:
 
 def _static_safety() -> _Quantity:
     return q.LIFE(
-        said("static safety factor S_0"), "loads.static_safety", ".3", lambda own: own.loads.safety
+        called("static_safety"), "loads.static_safety", ".3", lambda own: own.loads.safety
     )
 
 
 def _load_ratio() -> _Quantity:
-    return q.extreme(said("load ratio C/P"), "load_ratio", ".3")
+    return q.extreme(called("load_ratio"), "load_ratio", ".3")
 
 
 def _viscosity_ratio() -> _Quantity:
-    return q.FILM(said("viscosity ratio κ"), "viscosity_ratio", ".3")
-
-
-def _torque(report: Report, usual: str, bounded: str, form: str) -> _Quantity:
-    return q.FRICTION(_bounded(report, usual, bounded), "torque", form)
-
-
-def _power(report: Report, form: str) -> _Quantity:
-    label = _bounded(report, said("friction power"), said("friction power, at most"))
-    return q.FRICTION(label, "power", form)
+    return q.FILM(called("viscosity_ratio"), "viscosity_ratio", ".3")
 
 
 def _clearance_row(label: str, name: str) -> _Quantity:
@@ -598,7 +590,7 @@ def _tilt_figure(case: CaseReport) -> Iterator[KeyFigure]:
         if check.name == "misalignment" and check.high and check.high < inf and check.greatest:
             yield KeyFigure(
                 "checks.misalignment",
-                said("tilt of the rings"),
+                called("ring_tilt"),
                 manner().number(check.greatest, ".3 [mrad]"),
                 "mrad",
                 said("of {limit:.3 mrad}", limit=check.high),
@@ -962,14 +954,14 @@ def _loads(report: Report) -> tuple[doc.Table, ...]:
     lives = [case.analysis.life for case in report.cases if case.analysis.life is not None]
     axial = bool(lives) and all(found.ratings.is_axial for found in lives)
     dynamic, static = (
-        (said("dynamic equivalent axial load P_a"), said("static equivalent axial load P_0a"))
+        (called("axial_equivalent_load"), called("axial_static_equivalent_load"))
         if axial
-        else (said("dynamic equivalent load P"), said("static equivalent load P_0"))
+        else (called("equivalent_load"), called("static_equivalent_load"))
     )
     rated, rated_at_rest = (
-        (said("basic dynamic axial load rating C_a"), said("basic static axial load rating C_0a"))
+        (called("axial_dynamic_rating"), called("axial_static_rating"))
         if axial
-        else (said("basic dynamic load rating C"), said("basic static load rating C_0"))
+        else (called("dynamic_rating"), called("static_rating"))
     )
     rows = [
         q.LIFE(dynamic, "loads.equivalent", ".4 N", lambda own: own.loads.dynamic),
@@ -979,13 +971,13 @@ def _loads(report: Report) -> tuple[doc.Table, ...]:
             said("axial load limit e"), "loads.load_ratio_limit", get=lambda own: own.loads.limit
         ),
         q.LIFE(static, "loads.static_equivalent", ".4 N", lambda own: own.loads.static),
-        q.extreme(said("load of the reference life P_ref"), "reference_load", ".4 N"),
+        q.extreme(called("reference_load"), "reference_load", ".4 N"),
     ]
     ratings = [
         q.LIFE(rated, "ratings.dynamic", ".5 N", lambda own: own.ratings.dynamic_of_set),
         q.LIFE(rated_at_rest, "ratings.static", ".5 N", lambda own: own.ratings.static_of_set),
         q.LIFE(
-            said("fatigue load limit C_u"),
+            called("fatigue_load_limit"),
             "ratings.fatigue",
             ".5 N",
             lambda own: own.ratings.fatigue_of_set,
@@ -1058,8 +1050,8 @@ def _lives(report: Report) -> list[doc.Table | doc.Statement]:
     common = [
         q.LIFE(said("reliability"), "headline.reliability", ".6 %"),
         _factor(said("reliability factor a_1"), theories[0], "a_1"),
-        q.LIFE(said("viscosity ratio κ"), "viscosity_ratio", ".3"),
-        q.LIFE(said("contamination factor e_C"), "contamination_factor", ".3"),
+        q.LIFE(called("viscosity_ratio"), "viscosity_ratio", ".3"),
+        q.LIFE(called("contamination_factor"), "contamination_factor", ".3"),
     ]
     groups.append((said("Conditions"), common))
     return list(q.tables_of(report.cases, groups, "lives", legends=_life_legends()))
@@ -1270,34 +1262,24 @@ def _chain(case: CaseReport) -> doc.Table:
 
 def _ring(report: Report) -> tuple[doc.Table, ...]:
     moved = [
-        q.SOLVED(said(label), f"displacement.{axis}", ".3f µm" if len(axis) == 1 else ".4f mrad")
-        for axis, label in zip(AXES, _MOVED, strict=True)
+        q.SOLVED(
+            _label(f"duty.displacement.{axis}"),
+            f"displacement.{axis}",
+            ".3f µm" if len(axis) == 1 else ".4f mrad",
+        )
+        for axis in AXES
     ]
     loads = [
-        q.SOLVED(said(label), f"load.{load}", ".1f N" if load[0] == "f" else ".3f N·m")
-        for load, label in zip(LOADS, _LOADED, strict=True)
+        q.SOLVED(
+            _label(f"duty.load.{load}"), f"load.{load}", ".1f N" if load[0] == "f" else ".3f N·m"
+        )
+        for load in LOADS
     ]
     groups = [(said("Displacements"), moved), (said("Loads of the shaft"), loads)]
     legend = said(
         "Loads not listed among the inputs are reactions at constrained degrees of freedom."
     )
     return q.tables_of(report.cases, groups, "ring", legends=(legend,))
-
-
-_MOVED: Final = (
-    marked("axial displacement x"),
-    marked("radial displacement y"),
-    marked("radial displacement z"),
-    marked("tilt about y"),
-    marked("tilt about z"),
-)
-_LOADED: Final = (
-    marked("axial load Fx"),
-    marked("radial load Fy"),
-    marked("radial load Fz"),
-    marked("moment My"),
-    marked("moment Mz"),
-)
 
 
 def _rows(report: Report) -> tuple[doc.Table, ...]:
@@ -1329,7 +1311,7 @@ def _row_quantities(row: int) -> list[_Quantity]:
         kind = row < len(own.rows) and (own.rows.element[row] == "ball") == balls
         return own.loaded_elements[0, row] if kind else None
 
-    def load(own: Solved, place: int) -> float | None:
+    def load(place: int, own: Solved) -> float | None:
         return own.rows.load[0, row, place] if row < len(own.rows) else None
 
     path = f"rows.{row}"
@@ -1348,9 +1330,10 @@ def _row_quantities(row: int) -> list[_Quantity]:
             f"{path}.loaded_rollers",
             get=lambda own: loaded(own, balls=False),
         ),
-        q.SOLVED(said("axial load Fx"), f"{path}.load.fx", ".4 N", lambda own: load(own, 0)),
-        q.SOLVED(said("radial load Fy"), f"{path}.load.fy", ".4 N", lambda own: load(own, 1)),
-        q.SOLVED(said("radial load Fz"), f"{path}.load.fz", ".4 N", lambda own: load(own, 2)),
+        *(
+            q.SOLVED(_label(f"duty.load.{name}"), f"{path}.load.{name}", ".4 N", partial(load, at))
+            for at, name in enumerate(LOADS[:3])
+        ),
     ]
 
 
@@ -1459,43 +1442,39 @@ def _ball_loads(report: Report) -> tuple[doc.Table, ...]:
 
 
 _OF_CONTACTS: Final = (
-    ("max_pressure", marked("maximum contact pressure"), ".4 MPa"),
-    ("ball", marked("ball number"), ".4"),
-    ("roller", marked("roller number"), ".4"),
-    ("azimuth", marked("azimuth of the ball"), ".4 °"),
-    ("contact_angle", marked("contact angle"), ".4 °"),
-    ("semi_major", marked("ellipse, semi-major"), ".4 mm"),
-    ("semi_minor", marked("ellipse, semi-minor"), ".4 mm"),
-    ("deflection", marked("approach"), ".4 µm"),
-    ("max_shear", marked("maximum shear stress"), ".4 MPa"),
-    ("max_shear_depth", marked("depth of the maximum shear stress"), ".4 mm"),
-    ("orthogonal_shear", marked("orthogonal shear stress"), ".4 MPa"),
-    ("orthogonal_shear_depth", marked("depth of the orthogonal shear stress"), ".4 mm"),
-    ("load", marked("maximum contact load"), ".5 N"),
-    ("spin_to_roll", marked("maximum spin-to-roll ratio"), ".4f"),
-)
-"""Columns of the contacts of a race: name in the extremes, label, form."""
-
-
-_OF_LINES: Final = {
-    "azimuth": marked("azimuth of the roller"),
-    "semi_major": marked("half the effective length"),
-    "semi_minor": marked("half-width"),
-    "deflection": marked("approach, maximum along the roller"),
-}
-"""What is called otherwise of the contacts of rollers."""
-_OF_BOTH: Final = {
-    "azimuth": marked("azimuth of the element"),
-    "semi_major": marked("ellipse, semi-major, or half the effective length of a roller"),
-    "semi_minor": marked("ellipse, semi-minor, or half-width of a line"),
-}
+    "max_pressure", "ball", "roller", "azimuth", "contact_angle", "semi_major", "semi_minor",
+    "deflection", "max_shear", "max_shear_depth", "orthogonal_shear", "orthogonal_shear_depth",
+    "load", "spin_to_roll",
+)  # fmt: skip
+"""Rows of the contacts of a race, by their names in the extremes."""
 
 
 def _contacts(report: Report) -> tuple[doc.Table, ...]:
     heads: dict[Race, str] = {"inner": said("Inner race"), "outer": said("Outer race")}
-    kinds = set(_elements(report))
-    named = {} if kinds == {"ball"} else _OF_BOTH if "ball" in kinds else _OF_LINES
-    rows = [(name, named.get(name, label), form) for name, label, form in _OF_CONTACTS]
+    elements = _elements(report)
+    beside = {
+        "ball": said("ball number"),
+        "roller": said("roller number"),
+        "azimuth": worded(
+            elements,
+            said("azimuth of the ball"),
+            said("azimuth of the roller"),
+            said("azimuth of the element"),
+        ),
+        **{
+            one: said("maximum {quantity}", quantity=called(one))
+            for one in ("load", "spin_to_roll")
+        },
+    }
+    forms = {"load": ".5 N", "spin_to_roll": ".4f", "azimuth": ".4 °"}
+    rows = [
+        (
+            name,
+            beside.get(name) or contact_name(name, elements),
+            forms.get(name, f".4 {CONTACT_UNITS.get(name, '')}".rstrip()),
+        )
+        for name in _OF_CONTACTS
+    ]
     return (*_by_race(report, rows, heads, "contacts"), *_roller_table(report))
 
 
@@ -1514,13 +1493,13 @@ def _by_race(
     """Numbers of both races: of one case beside each other, of several below each other."""
     if len(report.cases) > 1:
         groups = [
-            (head, [q.extreme(said(label), f"{race}_{name}", form) for name, label, form in rows])
+            (head, [q.extreme(label, f"{race}_{name}", form) for name, label, form in rows])
             for race, head in heads.items()
         ]
         return q.tables_of(report.cases, groups, key)
     case = report.cases[0]
     found: list[q.Quantity[Race]] = [
-        q.Quantity(said(label), _at_race(case, name), form, f"extremes.*_{name}")
+        q.Quantity(label, _at_race(case, name), form, f"extremes.*_{name}")
         for name, label, form in rows
     ]
     found = [row for row in found if row.known(heads)]
@@ -1558,7 +1537,8 @@ def _film(report: Report) -> tuple[doc.Table, ...]:
         "outer": said("Thinnest film, outer race"),
     }
     tables = q.tables_of(report.cases, [(said("Lubricant"), oil)], "oil")
-    return (*tables, *_by_race(report, FILMS, heads, "film"))
+    films = [(name, said(label), form) for name, label, form in FILMS]
+    return (*tables, *_by_race(report, films, heads, "film"))
 
 
 def _lubricant(case: CaseReport) -> str:
@@ -1581,9 +1561,9 @@ def _friction(report: Report) -> tuple[doc.Table, ...]:
             get=lambda own: own.coefficient_range[0, 1],
         ),
         q.Quantity(said("model of the contacts"), _torque_model),
-        _torque(report, said("running torque"), said("running torque, at most"), torque),
-        q.FRICTION(said("starting torque"), "starting_torque", torque),
-        _power(report, power),
+        q.FRICTION(_bounded(report, "torque"), "torque", torque),
+        q.FRICTION(called("starting_torque"), "starting_torque", torque),
+        q.FRICTION(_bounded(report, "power"), "power", power),
     ]
     torques = [
         q.FRICTION(
@@ -1600,11 +1580,11 @@ def _friction(report: Report) -> tuple[doc.Table, ...]:
         for name in dict.fromkeys(name for one in found for name in one.models)
     ]
     rolling = [
-        q.ROLLING(said("cage speed"), "cage_speed", ".5 rpm"),
+        q.ROLLING(called("cage_speed"), "cage_speed", ".5 rpm"),
         q.ROLLING(said("cage slip relative to outer raceway control"), "skid", ".3 %"),
         q.ROLLING(said("torque on the shaft"), "inner_torque", torque),
         q.ROLLING(said("torque on the housing"), "outer_torque", torque),
-        q.ROLLING(said("power lost in the contacts"), "power", power),
+        q.ROLLING(called("rolling_power"), "power", power),
     ]
     added = [
         q.SEALS_AND_BATH(said("torque of the seals"), "seal", torque),
@@ -1636,16 +1616,17 @@ def _torque_model(case: CaseReport) -> str:
     return "" if friction is None else torque_model_name(friction.model)
 
 
-def _bounded(report: Report, usual: str, bounded: str) -> str:
-    """A label of what is an upper bound in any case of the report, with the names of the cases."""
+def _bounded(report: Report, quantity: str) -> str:
+    """A quantity that is an upper bound in some cases of the report, with the names of these."""
     found = [
         case.name
         for case in report.cases
         if case.analysis.friction is not None and case.analysis.friction.upper_bound[0]
     ]
+    label = called(quantity, bound=bool(found))
     if len(found) in (0, len(report.cases)):
-        return bounded if found else usual
-    return said("{label} (case {names})", label=bounded, names=", ".join(found))
+        return label
+    return said("{label} (case {names})", label=label, names=", ".join(found))
 
 
 def _torque_form(report: Report) -> str:
@@ -1717,20 +1698,17 @@ def _frequency_table(case: CaseReport) -> tuple[doc.Table, ...]:
 def _stiffness(report: Report) -> list[doc.Table]:
     tables: list[doc.Table] = []
     if len(report.cases) > 1:
-        names = ("xx", "yy", "zz", "ryry", "rzrz")
         rows = [
-            _stiffness_row(said("stiffness {axes}", axes=name), at) for at, name in enumerate(names)
+            _stiffness_row(said("stiffness {load}–{axis}", load=axis, axis=axis), at)
+            for at, axis in enumerate(AXES)
         ]
         tables += q.tables_of(report.cases, [("", rows)], "diagonal", caption=said("Diagonal"))
     for case in report.cases:
         if case.converged:
             found = stiffness_section(case.analysis.solved).blocks[0]
             assert isinstance(found, doc.Table)
-            caption = (
-                said("Stiffness matrix, case {name}", name=case.name)
-                if len(report.cases) > 1
-                else said("Stiffness matrix")
-            )
+            many = len(report.cases) > 1
+            caption = said("Stiffness matrix, case {name}", name=case.name) if many else ""
             tables.append(replace(found, key=f"stiffness_{case.name}", caption=caption))
     return tables
 

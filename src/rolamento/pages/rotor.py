@@ -13,6 +13,7 @@ from rolamento import plots
 from rolamento.document import Notes as NotesBlock
 from rolamento.pages.notes import notes_section
 from rolamento.words import said
+from rolamento.words.naming import machine_title
 from rolamento.words.reasons import reason
 from rolamento.words.whirl import whirl_name
 
@@ -35,7 +36,7 @@ def vibration_page(found: MachineVibration) -> doc.Document:
     found
         Of a `rolamento.tasks.RotorRequest`.
     """
-    title = found.machine.title or said("Machine without a title")
+    title = machine_title(found.machine.title)
     sections = [
         doc.Section("", (doc.Title(title), _given(found)), "given"),
         doc.Section(said("Critical speeds"), (*_headline(found), *_critical(found)), "critical"),

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rolamento import document as doc
 from rolamento import plots
+from rolamento.pages.data import signal_entry
 from rolamento.pages.limit import limit_section, limit_statement
 from rolamento.pages.notes import about
 from rolamento.units import HOUR
-from rolamento.words import ABSENT, marked, said
+from rolamento.words import ABSENT, said
 from rolamento.words.naming import listed, one_line
 from rolamento.words.sentences.severity import class_name, zone_meaning
 
@@ -29,11 +30,6 @@ _TONES: Final[dict[str, doc.Tone]] = {
     "D": "bad-strong",
 }
 _LONGEST_NAME: Final = 32
-_QUANTITIES: Final = {
-    "velocity": marked("velocity"),
-    "acceleration": marked("acceleration"),
-    "displacement": marked("displacement"),
-}
 
 
 def severity_page(found: SeverityResult) -> doc.Document:
@@ -139,17 +135,7 @@ def _facts(found: SeverityResult) -> tuple[doc.Entry, ...]:
         ),
     ]
     if len(found.measured) == 1:
-        entries.append(
-            doc.Entry(
-                said("signal"),
-                said(
-                    "{quantity}, {duration:.4 s} at {rate:.6 Hz}",
-                    quantity=said(_QUANTITIES[one.quantity]),
-                    duration=one.duration,
-                    rate=one.rate,
-                ),
-            )
-        )
+        entries.append(signal_entry(one))
     setting = found.setting
     if setting is not None:
         text = (

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from rolamento import document as doc
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.words import marked, said, said_in
+from rolamento.words.quantities import CALLED
 from rolamento.words.sentences.speeds import LIMIT_NAMES, factor_text
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ __all__ = ["speed_page"]
 
 _RPM: Final = 30.0 / pi
 _LOADS: Final = {
-    "share": marked("equivalent load P"),
+    "share": CALLED["equivalent_load"],
     "radial": marked("radial load F_r"),
     "axial": marked("axial load F_a"),
     "thrust": marked("axial load F_a"),

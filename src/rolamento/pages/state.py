@@ -33,7 +33,6 @@ from rolamento.numerics import FloatArray
 from rolamento.pages.elements import (
     element_sections,
     heaviest_section,
-    main_table,
     roller_pictures,
     without_rounding,
 )
@@ -66,20 +65,24 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     """
     sections: list[Section | Beside] = []
     whole = (*solved.notes[0], *(() if analysis is None else analysis.notes))
-    notes = list(remarks_of(whole))
+    remarks: list[Note] = []
     if solved.converged[0]:
+        if solved.case.bearing.is_set:
+            sections.append(_rows(solved))
+            sections += [] if solved.preload is None else [_preload(solved, solved.preload)]
         beside = Beside(
             (_ring(solved), heaviest_section(solved)), (rosette_section(solved),), key="ring"
         )
-        sections += [*_set(solved), beside, stiffness_section(solved)]
-        sections += [*element_sections(solved), *roller_pictures(solved), *_rolling(solved)]
+        sections += [beside, stiffness_section(solved)]
+        sections += [*element_sections(solved), *roller_pictures(solved)]
+        sections += [] if solved.rolling is None else _rolling(solved, solved.rolling)
     else:  # files have its elements all the same, without numbers
         sections += element_sections(solved)
     if analysis is not None:
-        sections += _what_follows(solved, analysis, notes)
-    main = main_table(solved)
+        sections += _what_follows(solved, analysis, remarks)
+    main = "balls" if "ball" in solved.rows.element else "rollers"  # of files of one table
     return case_page(
-        solved.case, head(solved), sections, "solve", main, cautions=whole, remarks=notes
+        solved.case, head(solved), sections, "solve", main, notes=whole, remarks=remarks
     )
 
 
@@ -90,7 +93,14 @@ def _ring(solved: Solved) -> Section:
     """Show displacement and load of the five degrees of freedom, the results in bold."""
     moved, loads = solved.displacement.array[0].tolist(), solved.load.array[0].tolist()
     units = [("µm", "N")] * _SHIFTS + [("mrad", "N·m")] * (len(AXES) - _SHIFTS)
-    known = [_known(solved.case.duty, *names) for names in zip(AXES, LOADS, strict=True)]
+    duty, known = solved.case.duty, list[tuple[str, bool]]()  # what was, and whether by its load
+    for axis, load in zip(AXES, LOADS, strict=True):
+        pressed = getattr(duty.load, load) is not None
+        moved_to, held = getattr(duty.displacement, axis) is not None, axis in ("ry", "rz")
+        if pressed or moved_to:
+            known.append((said("{name} given", name=load if pressed else axis), pressed))
+        else:
+            known.append((said("held") if held else said("free"), not held))
     columns = (
         Column("", AXES, "direction"),
         Column(
@@ -129,57 +139,37 @@ def _alike(
     return cells
 
 
-def _known(duty: Duty, axis: str, load: str) -> tuple[str, bool]:
-    """Say what was known of a degree of freedom, and whether that was its load."""
-    if getattr(duty.load, load) is not None:
-        return said("{name} given", name=load), True
-    if getattr(duty.displacement, axis) is not None:
-        return said("{name} given", name=axis), False
-    held = axis in ("ry", "rz")
-    return (said("held") if held else said("free")), not held
-
-
 def stiffness_section(solved: Solved) -> Section:
-    """Show the 5 x 5 matrix in four blocks of one unit each."""
+    """Show the 5 x 5 matrix in four blocks of one unit each; in files a load in a row."""
     stiffness = solved.stiffness.array[0]
     diagonal = np.abs(np.outer(stiffness.diagonal(), stiffness.diagonal()))
     noise = stiffness * stiffness <= _NEGLIGIBLE**2 * diagonal
     matrix = np.where(noise, 0.0, stiffness)
-    forces = ["N/µm"] * _SHIFTS + ["N/mrad"] * (len(AXES) - _SHIFTS)
-    moments = ["N·m/mm"] * _SHIFTS + ["N·m/mrad"] * (len(AXES) - _SHIFTS)
+    tilts = len(AXES) - _SHIFTS
+    of_kind = (["N/µm"] * _SHIFTS + ["N·m/mm"] * tilts, ["N/mrad"] * _SHIFTS + ["N·m/mrad"] * tilts)
     columns = [Column("", ["", *LOADS[:_SHIFTS], "", *LOADS[_SHIFTS:]], "load")]
+    in_files = [Column("load", LOADS, "load")]
     for j, axis in enumerate(AXES):
-        units = [forces[j]] * _SHIFTS + [moments[j]] * (len(AXES) - _SHIFTS)
-        cells = _alike(matrix[:, j].tolist(), units, (3, 3))
+        units, numbers = of_kind[j >= _SHIFTS], matrix[:, j].tolist()
+        cells = _alike(numbers, units, (3, 3))
         tones: list[Tone] = ["strong" if i == j else "" for i in range(len(AXES))]
         columns.append(
             Column(
                 axis,
-                [forces[j], *cells[:_SHIFTS], moments[j], *cells[_SHIFTS:]],
+                [units[0], *cells[:_SHIFTS], units[-1], *cells[_SHIFTS:]],
                 axis,
                 align="right",
                 tones=["faint", *tones[:_SHIFTS], "faint", *tones[_SHIFTS:]],
             )
         )
-    table = Table(tuple(columns), gap=3)
-    return Section(said("Stiffness"), (table, _stiffness_file(matrix)), "stiffness")
-
-
-def _stiffness_file(matrix: FloatArray) -> Table:
-    """Return the matrix for files: a load in a row, the units of its two kinds behind it."""
-    count = len(AXES) - _SHIFTS
-    shift = ["N/µm"] * _SHIFTS + ["N·m/mm"] * count
-    tilt = ["N/mrad"] * _SHIFTS + ["N·m/mrad"] * count
-    columns = [Column("load", LOADS, "load")]
-    for j, axis in enumerate(AXES):
-        units = shift if j < _SHIFTS else tilt
-        values = [
-            Number(float(value), f"[{unit}]")
-            for value, unit in zip(matrix[:, j], units, strict=True)
-        ]
-        columns.append(Column(axis, values, axis))
-    columns += [Column("unit", shift, "shift_unit"), Column("unit", tilt, "tilt_unit")]
-    return Table(tuple(columns), "stiffness", only_in_files=True)
+        values = [Number(one, f"[{unit}]") for one, unit in zip(numbers, units, strict=True)]
+        in_files.append(Column(axis, values, axis))
+    in_files += [
+        Column("unit", units, key)
+        for units, key in zip(of_kind, ("shift_unit", "tilt_unit"), strict=True)
+    ]
+    tables = Table(tuple(columns), gap=3), Table(tuple(in_files), "stiffness", only_in_files=True)
+    return Section(said("Stiffness"), tables, "stiffness")
 
 
 # --- the rosette: a small polar drawing of the loads ----------------------------------------------
@@ -216,9 +206,19 @@ def rosette_section(solved: Solved) -> Section:
 def _sketch(solved: Solved, width: int, draws: bool) -> Sketch:
     """Set as many rosettes side by side as there is room for; all have the same scale."""
     count = len(solved.rows)
-    rim = float(solved.inner.load[0].max())
-    drawn = [_rosette(solved, row, rim, draws) for row in range(count)]
-    one = 2 * _HEIGHT + len(_SIDE)
+    rim, wide, beside = float(solved.inner.load[0].max()), 2 * _HEIGHT, " " * len(_SIDE)
+    drawn = []
+    for row in range(count):
+        own = solved.elements.row == row
+        loads, azimuths = solved.inner.load[0, own].tolist(), solved.elements.azimuth[0, own]
+        cells = rosette(loads, azimuths.tolist(), _HEIGHT, rim=rim, braille=draws)
+        heads = [said("row {number}", number=row)] * (count > 1) + ["+z"]
+        drawn.append([
+            *([(head.center(wide) + beside, "")] for head in heads),
+            *([*line, (_SIDE if at == _HEIGHT // 2 else beside, "")]
+              for at, line in enumerate(cells)),
+        ])  # fmt: skip
+    one = wide + len(_SIDE)
     most = max(min((width + _GAP) // (one + _GAP), count), 1)
     abreast = -(-count // -(-count // most))  # four as two and two, not three and one
     lines: Sketch = []
@@ -228,26 +228,11 @@ def _sketch(solved: Solved, width: int, draws: bool) -> Sketch:
             for number, part in enumerate(parts):
                 line += [(" " * _GAP, "")] * bool(number) + part
             lines.append(line)
-    scale = manner().column([rim])[0] if rim > 0.0 else ABSENT
+    scale = manner().fixed(rim, decimals_for([rim], 5)) if rim > 0.0 else ABSENT
     captions = [said("rim: Q_i = {load} N", load=scale), said("seen from +x")]
     if count > 1:
         return [*lines, [(f"  {', '.join(captions)}", "faint")]]
     return [*lines, *([(caption.center(2 * _HEIGHT), "faint")] for caption in captions)]  # type: ignore[list-item]
-
-
-def _rosette(solved: Solved, row: int, rim: float, draws: bool) -> Sketch:
-    """Draw one row, as wide as every other."""
-    own = solved.elements.row == row
-    loads, azimuths = solved.inner.load[0, own], solved.elements.azimuth[0, own]
-    drawn = rosette(loads.tolist(), azimuths.tolist(), _HEIGHT, rim=rim, braille=draws)
-    width = 2 * _HEIGHT
-    lines: Sketch = [[("+z".center(width) + " " * len(_SIDE), "")]]
-    if len(solved.rows) > 1:
-        lines.insert(0, [(said("row {number}", number=row).center(width) + " " * len(_SIDE), "")])
-    for number, cells in enumerate(drawn):
-        side = _SIDE if number == _HEIGHT // 2 else " " * len(_SIDE)
-        lines.append([*cells, (side, "")])
-    return lines
 
 
 def rosette(
@@ -305,14 +290,6 @@ def rosette(
 
 
 # --- the rows of a set and their preload -------------------------------------------------------
-
-
-def _set(solved: Solved) -> list[Section]:
-    """Show the rows of a set and their preload; nothing of a plain bearing."""
-    if not solved.case.bearing.is_set:
-        return []
-    preload = [] if solved.preload is None else [_preload(solved, solved.preload)]
-    return [_rows(solved), *preload]
 
 
 def _rows(solved: Solved) -> Section:
@@ -460,11 +437,8 @@ def _resulting_load(duty: Duty, factor: float) -> str:
 # --- balls that friction alone moves -----------------------------------------------------------
 
 
-def _rolling(solved: Solved) -> list[Section]:
-    """Show how friction moves cage and balls, and what it costs; nothing under raceway control."""
-    rolling = solved.rolling
-    if rolling is None:
-        return []
+def _rolling(solved: Solved, rolling: Rolling) -> list[Section]:
+    """Show how friction moves cage and balls, and what it costs."""
     entries = (
         Entry(said("cage"), _cage(rolling)),
         Entry(

@@ -86,9 +86,9 @@ def noise_chart(noise: Noise, limits: Mapping[BandName, float]) -> Chart:
     return Chart(
         (*series, labels),
         Axis(limits=(noise.bands[0].band[0], noise.bands[-1].band[1]), log=True,
-             label=said("Frequency (Hz)")),
+             name=said("Frequency"), unit="Hz"),
         Axis(limits=(min(sizes) / _ROOM, max(sizes) * _ROOM**2), log=True,
-             label=said("Noise (anderon)")),
+             name=said("Noise"), unit="anderon"),
         "; ".join(f"{band_name(band.name)}: {number(band.anderons)} anderon"
                   for band in noise.bands if isfinite(band.anderons)),
         marks=tuple(Mark(band.band[0], "", Look("grey", width=0.5), "x") for band in noise.bands),

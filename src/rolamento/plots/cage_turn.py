@@ -22,6 +22,7 @@ from rolamento.charts import (
 )
 from rolamento.charts.axes_units import PERCENT, ReadableUnit
 from rolamento.charts.contacts import race_name
+from rolamento.charts.courses import peak
 from rolamento.charts.drawing import draw
 from rolamento.charts.frame import add_title
 from rolamento.charts.style import MILLIMETRE, WIDTH, styled
@@ -83,7 +84,7 @@ def displacement_chart(turn: CageTurn) -> Chart:
     if turn.converged:
         values = np.where(extent, values - mean, 0.0)
     label = said("About the mean") if turn.converged else title
-    return _over_angle(turn, unit.of(values), _SHIFTS, unit.label(label), title)
+    return _over_angle(turn, unit.of(values), _SHIFTS, Axis(label, unit.symbol), title)
 
 
 def stiffness_chart(turn: CageTurn) -> Chart:
@@ -100,7 +101,7 @@ def stiffness_chart(turn: CageTurn) -> Chart:
         values = np.where(extent, values / mean - 1.0, 0.0)
     label = said("About the mean") if turn.converged else title
     names = [f"{name}–{name}" for name in _SHIFTS]
-    return _over_angle(turn, unit.of(values), names, unit.label(label), title)
+    return _over_angle(turn, unit.of(values), names, Axis(label, unit.symbol), title)
 
 
 def _fitting(units: tuple[ReadableUnit, ...], extents: Floats) -> ReadableUnit:
@@ -111,7 +112,7 @@ def _fitting(units: tuple[ReadableUnit, ...], extents: Floats) -> ReadableUnit:
 
 
 def _over_angle(
-    turn: CageTurn, values: Floats, names: Sequence[str], label: str, title: str
+    turn: CageTurn, values: Floats, names: Sequence[str], upright: Axis, title: str
 ) -> Chart:
     """Return lines over the period, the first point of each repeated at the end."""
     angle = np.degrees(np.append(turn.angle, turn.period))
@@ -119,9 +120,8 @@ def _over_angle(
     series: list[Line | Labels] = [
         Line(angle, closed[:, index], name, series_look(index)) for index, name in enumerate(names)
     ]
-    upright = Axis(label=label)
     if turn.converged and not values.any():  # a scale on which it is a line
-        upright = Axis(label=label, limits=(-1.0, 1.0), ticks=((0.0, number(0.0)),))
+        upright = replace(upright, limits=(-1.0, 1.0), ticks=((0.0, number(0.0)),))
         middle = np.array([0.5 * angle[-1]])
         still = (said("no variation"),)
         series.append(Labels(middle, middle, still, ("on",), "grey", 0.7))
@@ -131,7 +131,14 @@ def _over_angle(
         said("Azimuth of the first roller (°)"),
     )
     across = Axis(limits=(0.0, float(np.degrees(turn.period))), label=azimuth)
-    return Chart(tuple(series), across, upright, title=title)
+    extent = np.nanmax(values, axis=0) - np.nanmin(values, axis=0)
+    widest, value = names[extent.argmax()], upright.with_unit(number(float(extent.max()), 3))
+    conclusion = (
+        said("does not vary: {value}", value=value)
+        if not extent.any()
+        else said("{name} varies most, by {value} from peak to peak", name=widest, value=value)
+    )
+    return Chart(tuple(series), across, upright, conclusion, title=title)
 
 
 def load_chart(turn: CageTurn) -> Chart:
@@ -141,6 +148,7 @@ def load_chart(turn: CageTurn) -> Chart:
         said("Load of one ball over a turn (kN)"),
         said("Load of one roller over a turn (kN)"),
     )
+    upright = Axis(unit="kN", hidden=True)
     lines = [
         Line(np.degrees(np.append(own.azimuth, own.azimuth[0] + 2.0 * np.pi)),
              1e-3 * np.append(load, load[0]), race_name(race, own.row, len(turn.histories)),
@@ -150,7 +158,9 @@ def load_chart(turn: CageTurn) -> Chart:
     ]  # fmt: skip
     if not any(np.isfinite(line.y).any() for line in lines):
         return replace(nothing(said("no point has a result")), title=title)
-    return Chart(tuple(lines), y=Axis(hidden=True), title=title, polar=True, numbers_at=112.5)
+    loads = [(one.name, one.x % 360.0, one.y) for one in lines]
+    conclusion = peak(loads, Axis(unit="°"), upright)
+    return Chart(tuple(lines), Axis(), upright, conclusion, title, polar=True, numbers_at=112.5)
 
 
 def harmonics_chart(turn: CageTurn) -> Chart:
@@ -176,7 +186,7 @@ def harmonics_chart(turn: CageTurn) -> Chart:
     ends = 0.4 * float(np.nanmin(shown)), 2.0 * float(np.nanmax(shown))
     return Chart(
         tuple(bars),
-        Axis(limits=ends, log=True, label=unit.label(said("Amplitude")) + behind),
+        Axis(limits=ends, log=True, label=unit.label(said("Amplitude")) + behind, unit=unit.symbol),
         Axis(categories=tuple(f"{order}×" for order in range(1, len(shown) + 1)),
              label=passage),
         title=title,

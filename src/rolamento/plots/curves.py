@@ -24,6 +24,7 @@ from rolamento.solved import RACES
 from rolamento.studies.names import variable_name
 from rolamento.validate import one_of
 from rolamento.words import said
+from rolamento.words.quantities import called
 
 Floats = NDArray[np.float64]
 
@@ -196,7 +197,10 @@ def contact_angle_over_speed(
     if not any(np.isfinite(values).any() for values in angles.values()):
         return draw(nothing(no_result()), axes)
     series = [one for race in RACES for one in _band(RPM.of(across), angles[race], race)]
-    return draw(Chart(tuple(series), _speed(), Axis(said("Contact angle"), DEGREE.symbol)), axes)
+    return draw(
+        Chart(tuple(series), _speed(), Axis(capitalised(called("contact_angle")), DEGREE.symbol)),
+        axes,
+    )
 
 
 def _speed() -> Axis:

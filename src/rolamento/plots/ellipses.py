@@ -24,12 +24,13 @@ from rolamento.charts.ellipse_charts import across_axis, ellipse_chart
 from rolamento.charts.frame import empty_frame, require_axes
 from rolamento.charts.groove import Slot, extent, slots_of
 from rolamento.charts.style import in_style, new_figure, new_stacked_figure
-from rolamento.charts.texts import no_result, number
+from rolamento.charts.texts import capitalised, no_result, number
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.solved import RACES, Solved
 from rolamento.validate import whole_number
 from rolamento.words import said
+from rolamento.words.quantities import called
 
 _FRAME_SHAPE: Final = 3.3
 """Width of the drawing over its height, as it fits two to a page."""
@@ -222,4 +223,4 @@ def _angle_axis(axes: Axes, radius: float, bottom: float) -> None:
     angles = axes.secondary_yaxis("right", functions=(to_angle, from_angle))
     angles.spines["right"].set_visible(True)
     angles.tick_params(labelsize=8.0)
-    angles.set_ylabel(DEGREE.label(said("Contact angle")))
+    angles.set_ylabel(DEGREE.label(capitalised(called("contact_angle"))))

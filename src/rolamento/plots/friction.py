@@ -13,10 +13,11 @@ from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
 from rolamento.charts.drawing import figure
 from rolamento.charts.field_axis import field_axis, is_geometric
-from rolamento.charts.texts import no_result
+from rolamento.charts.texts import capitalised, no_result
 from rolamento.friction.models import torque_model_name
 from rolamento.studies.names import setting_name
 from rolamento.words import said
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from rolamento.studies.friction_curves import FrictionCurve
@@ -59,7 +60,7 @@ def torque_chart(curves: Sequence[FrictionCurve]) -> Chart:
     series = (Line(x, unit.of(torque), name, look, valid=valid | ~np.isfinite(torque))
               for torque, valid, name, look in lines)  # fmt: skip
     wide = _is_wide(values) and is_geometric(curves[0].values)
-    upright = Axis(said("Friction torque"), unit.symbol, log=wide, zero=True)
+    upright = Axis(capitalised(called("torque")), unit.symbol, log=wide, zero=True)
     chart = Chart(tuple(series), field_axis(curves[0].field, curves[0].values), upright)
     return chart.where_faint(said("faint: the model is not valid there"))
 
@@ -82,7 +83,7 @@ def spin_chart(curves: Sequence[FrictionCurve]) -> Chart:
     if not any(np.isfinite(line.y).any() for line in series):
         return nothing(no_result())
     across = field_axis(curves[0].field, curves[0].values)
-    return Chart(tuple(series), across, Axis(said("Spin-to-roll ratio"), zero=True))
+    return Chart(tuple(series), across, Axis(capitalised(called("spin_to_roll")), zero=True))
 
 
 def _lines(curves: Sequence[FrictionCurve]) -> list[tuple[Floats, NDArray[np.bool_], str, Look]]:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
 from rolamento.charts.drawing import figure
-from rolamento.charts.texts import no_result
+from rolamento.charts.texts import no_result, number
 from rolamento.grease.models import MODELS
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
@@ -51,7 +51,17 @@ def temperature_chart(found: GreaseCase) -> Chart:
     now = found.duty.temperature - ZERO_CELSIUS
     return Chart(
         tuple(lines),
-        Axis(unit="°C", limits=(_COLDEST, _HOTTEST), label=said("Temperature of the bearing (°C)")),
-        Axis(unit="h", log=True, label=said("Mean life of the grease (h)")),
+        Axis(unit="°C", limits=(_COLDEST, _HOTTEST), name=said("Temperature of the bearing")),
+        Axis(unit="h", log=True, name=said("Mean life of the grease")),
+        said(
+            "this case, {temperature}: {lives}",
+            temperature=f"{number(now, 3)} °C",
+            lives="; ".join(
+                f"{said(LAWS[one.name])} {number(one.hours, 3)} h"
+                for one in found.lives
+                if np.isfinite(one.hours)
+            )
+            or no_result(),
+        ),
         marks=(Mark(now, said("this case"), Look("grey", "dash", width=0.6), "x"),),
     )

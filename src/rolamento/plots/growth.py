@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
@@ -26,8 +27,8 @@ def growth_chart(
     times: Sequence[float],
     values: Sequence[float],
     found: Forecast,
-    across: str,
-    upright: str,
+    across: Axis,
+    upright: Axis,
     zones: Sequence[Zone] = (),
 ) -> Chart:
     """Return measurements, the chosen law with its band, and the limit.
@@ -39,7 +40,7 @@ def growth_chart(
     found
         Of `rolamento.numerics.growth.forecast`.
     across, upright
-        What stands along the axes.
+        The axes; their limits are as the chart needs.
     zones
         Below all.
     """
@@ -67,21 +68,21 @@ def growth_chart(
         ends = np.array([crossing.lower, min(crossing.upper, float(grid[-1]))])
         series.append(Line(ends, np.full(2, crossing.limit), said("time to the limit"),
                            Look("bad", width=3.0, opacity=0.5)))  # fmt: skip
-        conclusion = f"{said('time to the limit')}: {number(crossing.time)}"
+        conclusion = f"{said('time to the limit')}: {across.with_unit(number(crossing.time))}"
     top = 1.25 * max(*values, crossing.limit)
     foot = 0.0 if min(values) >= 0.0 else min(values) - 0.05 * (top - min(values))
     return Chart(
         tuple(series),
-        Axis(limits=(first - 0.03 * span, float(grid[-1])), label=across),
-        Axis(limits=(foot, top), label=upright),
+        replace(across, limits=(first - 0.03 * span, float(grid[-1]))),
+        replace(upright, limits=(foot, top)),
         conclusion,
         marks=tuple(marks),
         zones=tuple(zones),
     )
 
 
-def over_time(start: str, unit: str = "h") -> str:
-    """Return what stands along the time: days from a date, or running time."""
+def over_time(start: str, unit: str = "h") -> Axis:
+    """Return the axis of time: days from a date, or running time."""
     if start:
-        return said("Days from {date}", date=start)
-    return said("Running time ({unit})", unit=unit)
+        return Axis(said("Days from {date}", date=start))
+    return Axis(said("Running time"), unit)

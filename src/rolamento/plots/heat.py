@@ -12,14 +12,16 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Bars, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.courses import course
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
 from rolamento.charts.frame import panels
-from rolamento.charts.texts import no_result
+from rolamento.charts.texts import capitalised, no_result
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
+from rolamento.words.quantities import called
 from rolamento.words.sentences.heat import PLACE_NAMES, VARIANT_NAMES
 
 if TYPE_CHECKING:
@@ -60,12 +62,19 @@ def balance_chart(found: HeatBalance) -> Chart:
             hottest = np.array([max(root.temperatures.values()) for root in own]) - ZERO_CELSIUS
             powers = np.array([root.power for root in own])
             lines.append(Line(hottest, powers, name, Look("ink", hollow=not stable), "points"))
-    return Chart(tuple(lines), _warmest(warm), Axis(label=said("Power (W)"), zero=True))
+    across, upright = _warmest(warm), Axis(said("Power"), "W", zero=True)
+    states = [(one.name, one.x[at : at + 1], one.y[at : at + 1])
+              for one in lines[2:] for at in range(len(one.x))]  # fmt: skip
+    conclusion = "; ".join(course(*one, across, upright) for one in states)
+    return Chart(
+        tuple(lines), across, upright,
+        conclusion or said("friction exceeds the heat that is removed at every temperature"),
+    )  # fmt: skip
 
 
 def _warmest(warm: FloatArray) -> Axis:
     limits = float(warm.min()), float(warm.max())
-    return Axis(unit="°C", limits=limits, label=said("Temperature of the warmest part (°C)"))
+    return Axis(unit="°C", limits=limits, name=said("Temperature of the warmest part"))
 
 
 def heat_over_figure(found: HeatOver) -> Figure:
@@ -78,7 +87,7 @@ def heat_over_figure(found: HeatOver) -> Figure:
     """
     charts = [
         _temperatures(found),
-        _lines(found, {said("power loss"): found.power}, "W", said("Power loss")),
+        _lines(found, {called("power"): found.power}, "W", capitalised(called("power"))),
     ]
     if found.has_preload:
         preloads = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
@@ -96,7 +105,7 @@ def _temperatures(found: HeatOver) -> Chart:
         for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True))
     )
     across = field_axis(found.field, found.values)
-    return Chart(tuple(lines), across, Axis(label=said("Temperature (°C)")))
+    return Chart(tuple(lines), across, Axis(name=said("Temperature"), unit="°C"))
 
 
 def _lines(found: HeatOver, lines: dict[str, FloatArray], unit: str, name: str) -> Chart:
@@ -119,7 +128,7 @@ def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
     """
     longest = max(float(found.time[-1]) for _, found in courses)
     scale, unit = (3600.0, "h") if longest > _HOURS else (60.0, "min")
-    across = Axis(label=said("Time ({unit})", unit=unit), limits=(0.0, longest / scale))
+    across = Axis(name=said("Time"), unit=unit, limits=(0.0, longest / scale))
 
     def chart(values: Sequence[tuple[str, FloatArray, FloatArray]], upright: Axis) -> Chart:
         lines = (Line(time / scale, own, label, series_look(index))
@@ -130,7 +139,7 @@ def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
         read = readable_unit(unit, np.concatenate(values))
         named = zip(courses, values, strict=True)
         lines = [(label, found.time, read.of(own)) for (label, found), own in named]
-        return chart(lines, Axis(label=read.label(name), zero=True))
+        return chart(lines, Axis(name=name, unit=read.symbol, zero=True))
 
     alone = courses[0][1]
     warmest = [(label, found.time, found.temperatures.max(axis=0) - ZERO_CELSIUS)
@@ -138,10 +147,10 @@ def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
     nodes = [(said(PLACE_NAMES[node]), alone.time, values - ZERO_CELSIUS)
              for node, values in zip(NODES, alone.temperatures, strict=True)]  # fmt: skip
     charts = [
-        chart(warmest, Axis(label=said("Warmest part (°C)")))
+        chart(warmest, Axis(name=said("Warmest part"), unit="°C"))
         if len(courses) > 1
-        else chart(nodes, Axis(label=said("Temperature (°C)"))),
-        course("W", said("Power loss"), [found.power for _, found in courses]),
+        else chart(nodes, Axis(name=said("Temperature"), unit="°C")),
+        course("W", capitalised(called("power")), [found.power for _, found in courses]),
     ]
     if any(found.has_preload for _, found in courses):
         preloads = [found.preload for _, found in courses]
@@ -170,7 +179,7 @@ def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
 def variants_chart(variants: Sequence[HeatVariant]) -> Chart:
     """Return the friction of each variant, and the heat that the first removes."""
     lines: list[Line] = []
-    across = Axis(label=said("Temperature of the warmest part (°C)"))
+    across = Axis(name=said("Temperature of the warmest part"), unit="°C")
     for index, one in enumerate(variants):
         curve = one.balance.curve
         if not np.isfinite(curve.friction).any():
@@ -185,7 +194,7 @@ def variants_chart(variants: Sequence[HeatVariant]) -> Chart:
             hottest = max(one.balance.temperatures.values()) - ZERO_CELSIUS
             point = np.array([hottest]), np.array([one.balance.power])
             lines.append(Line(*point, "", Look("ink"), "points"))
-    return Chart(tuple(lines), across, Axis(label=said("Power (W)"), zero=True))
+    return Chart(tuple(lines), across, Axis(name=said("Power"), unit="W", zero=True))
 
 
 def machine_heat_figure(found: MachineHeat) -> Figure:
@@ -210,5 +219,5 @@ def nodes_chart(found: MachineHeat) -> Chart:
              series_look(index))
         for index, node in enumerate(NODES)
     )  # fmt: skip
-    across = Axis(label=said("Temperature (°C)"), zero=True)
+    across = Axis(name=said("Temperature"), unit="°C", zero=True)
     return Chart(tuple(bars), across, Axis(categories=tuple(found.bearings)))

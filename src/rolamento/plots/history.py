@@ -39,12 +39,18 @@ def then_chart(parts: Sequence[tuple[str, float, Sequence[float]]]) -> Chart:
     rows = np.repeat(places, [len(own) for _, _, own in parts])
     now = np.array([100.0 * depth for _, depth, _ in parts])
     damage = said("damage, without a history")
+    deepest = max(parts, key=lambda part: part[1])
+    conclusion = said(
+        "deepest now: {part}, {depth:.3 %}; in good order {usual:.3 %} at most",
+        part=part_name(deepest[0]), depth=deepest[1], usual=max(deepest[2], default=float("nan")),
+    )  # fmt: skip
     return Chart(
         (Line(then, rows, said("machine in good order"), Look("grey", mark="tick", width=2.0),
               "points"),
          Line(now, places, said("now"), Look("inner"), "points")),
-        Axis(zero=True, label=said("Modulation depth (%)")),
+        Axis(zero=True, name=said("Modulation depth"), unit="%"),
         Axis(categories=tuple(part_name(name) for name, _, _ in parts)),
+        conclusion,
         marks=(Mark(100.0 * DAMAGE, damage, Look("grey", "dash", width=0.65), "x"),),
     )  # fmt: skip
 
@@ -73,5 +79,5 @@ def records_chart(depths: Mapping[str, FloatArray], changes: Mapping[str, Sequen
         lines.append(Line(records, 100.0 * values, part_name(part), look, "both"))
         level = replace(look, dash="dot")
         marks += [Mark(place + 1.0, "", level, "x") for place in changes.get(part, ())]
-    upright = Axis(unit="%", zero=True, label=said("Modulation depth (%)"))
+    upright = Axis(unit="%", zero=True, name=said("Modulation depth"))
     return Chart(tuple(lines), Axis(said("Record")), upright, marks=tuple(marks))

@@ -16,11 +16,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.charts import Axis, Bars, Chart, Labels, Line, Look, Mark, nothing, series_look
 from rolamento.charts.axes_units import MEGAPASCAL, read_values
+from rolamento.charts.courses import courses, crossing, extremes
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.field_axis import field_axis
 from rolamento.charts.palette import SERIES
 from rolamento.charts.record import Side
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import capitalised, no_result, no_result_count, number, theory_label
 from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
 from rolamento.life.iso16281 import THEORY as REFERENCE
@@ -28,6 +28,7 @@ from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,8 +86,7 @@ def life_figure(curves: Sequence[LifeCurve]) -> Figure:
 
 def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Axes:
     """Draw the life by every theory, as `lives_chart` has it, on axes."""
-    axes = new_figure(height=110.0)[1] if axes is None else axes
-    return draw(lives_chart(curves), axes)
+    return draw(lives_chart(curves), axes, height=110.0)
 
 
 def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
@@ -118,9 +118,15 @@ def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
         count = int(missing.sum())
         why, look = no_result_count(count, len(missing)), Look("grey", mark="thin")
         series.append(Line(x[missing], np.zeros(count), why, look, "points", height=0.0))
-    upright = Axis(limits=limits, log=True, label=said("Life (h)") if turns
-                   else said("Life (10⁶ rev)"))  # fmt: skip
-    chart = Chart(tuple(series), field_axis(own.over.field, own.values), upright, marks=marks)
+    upright = Axis(said("Life"), "h" if turns else "10⁶ rev", limits, log=True)
+    across = field_axis(own.over.field, own.values)
+    leading = own.headline.theory.tolist()
+    life, _, _, name, _ = max(lines, key=lambda line: leading.count(line[2]))
+    facts = [courses([(name, x, life)], across, upright)]
+    for mark in marks:
+        at = across.with_unit(number(crossing(x, life, mark.at), 3))
+        facts += [f"{mark.name}: {at}"] * bool(np.isfinite(crossing(x, life, mark.at)))
+    chart = Chart(tuple(series), across, upright, "; ".join(facts), marks=marks)
     return chart.where_faint(said("faint: the theory is not valid there"))
 
 
@@ -221,8 +227,7 @@ def load_over_life(
 
     A line is faint where its theory does not hold; the case itself has a mark on each.
     """
-    axes = new_figure(height=115.0)[1] if axes is None else axes
-    return draw(load_chart(lives, by=by, tests=tests), axes)
+    return draw(load_chart(lives, by=by, tests=tests), axes, height=115.0)
 
 
 def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Chart:
@@ -247,16 +252,23 @@ def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTest
         lines += _tested(one, place, by)
     marks: tuple[Mark, ...] = ()
     if by == "load":
-        name = said("fatigue load limit C_u")
+        name = called("fatigue_load_limit")
         marks = (Mark(lives.fatigue_load, name, Look("grey", width=0.65)),)
     ran = np.array(
         [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
     )
     least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
-    across = Axis(limits=(least, limits[1]), log=True, label=said("Life (10⁶ rev)"))
+    across = Axis(limits=(least, limits[1]), log=True, name=said("Life"), unit="10⁶ rev")
     ends = _upright_limits(lives, upright, by)
-    upwards = Axis(limits=ends, log=True, label=_upright_name(lives, by))
-    chart = Chart(tuple(lines), across, upwards, marks=marks)
+    upwards = replace(_upright(lives, by), limits=ends, log=True)
+    known = own[np.isfinite(own) & (own > 0.0)]
+    conclusion = (
+        said("this case, {load}: {low} to {high} million revolutions by theory",
+             load=upwards.with_unit(f"{upwards.name} {number(float(at[0]), 3)}"),
+             low=number(float(known.min()), 3), high=number(float(known.max()), 3))
+        if known.size else said("fatigue ends no life here")
+    )  # fmt: skip
+    chart = Chart(tuple(lines), across, upwards, conclusion, marks=marks)
     return chart.where_faint(said("faint: the theory is not valid there"))
 
 
@@ -281,10 +293,10 @@ def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, f
     return least / _LOAD_ROOM, most * _LOAD_ROOM
 
 
-def _upright_name(lives: LoadLives, by: By) -> str:
+def _upright(lives: LoadLives, by: By) -> Axis:
     if by == "pressure":
-        return MEGAPASCAL.label(said("Maximum contact pressure"))
-    return "P/C (ISO/TS 16281)" if lives.by_reference else "P/C (ISO 281)"
+        return Axis(capitalised(called("max_pressure")), MEGAPASCAL.symbol)
+    return Axis("P/C", label="P/C (ISO/TS 16281)" if lives.by_reference else "P/C (ISO 281)")
 
 
 # --- a_ISO, the load zone, what would help ----------------------------------------------------
@@ -303,8 +315,7 @@ def aiso_chart(summary: LifeSummary | None = None, axes: Axes | None = None) -> 
     Curves are without additives; a case with them may lie above its curve, at 3 at most.
     ISO 281:2007, 9.3.3: radial ball bearings, or those of rollers for a roller bearing.
     """
-    axes = new_figure(height=110.0)[1] if axes is None else axes
-    return draw(modification_chart(summary), axes)
+    return draw(modification_chart(summary), axes, height=110.0)
 
 
 def modification_chart(summary: LifeSummary | None = None) -> Chart:
@@ -332,7 +343,14 @@ def modification_chart(summary: LifeSummary | None = None) -> Chart:
         (*series, *points),
         Axis(limits=limits, log=True, label="e_C C_u/P", ticks=_round_ticks(limits)),
         Axis(limits=upright, log=True, label="a_ISO", ticks=_round_ticks(upright)),
-        "; ".join(line.name for line in points),
+        "; ".join(line.name for line in points)
+        if points and all(len(line.x) == 1 for line in points)
+        else extremes(
+            [(one.name, one.x, one.y) for one in points]
+            or [("", strength, factor) for factor in curves],
+            Axis("e_C C_u/P"),
+            Axis("a_ISO"),
+        ),
         symbols=True,
     )
 
@@ -358,8 +376,7 @@ def load_zone_figure(life: ZoneLife) -> Figure:
 
 def life_over_zone(life: ZoneLife, axes: Axes | None = None) -> Axes:
     """Draw life over the load zone, as `zone_chart` has it, on axes; by default of a new figure."""
-    axes = new_figure(height=95.0)[1] if axes is None else axes
-    return draw(zone_chart(life), axes)
+    return draw(zone_chart(life), axes, height=95.0)
 
 
 def zone_chart(life: ZoneLife) -> Chart:

@@ -16,13 +16,14 @@ from rolamento.charts import Axis, Chart, Labels, Line, Look, Mark, key, nothing
 from rolamento.charts.axes_units import MEGAPASCAL, ReadableUnit, readable_unit
 from rolamento.charts.contact_charts import rosette_chart
 from rolamento.charts.contacts import Shown, load_unit, race_name
+from rolamento.charts.courses import peak
 from rolamento.charts.drawing import draw
 from rolamento.charts.drawing import figure as charts
 from rolamento.charts.frame import add_title, empty_frame, label_x, require_axes
 from rolamento.charts.palette import SERIES
 from rolamento.charts.record import Side
 from rolamento.charts.style import MILLIMETRE, WIDTH, in_style, new_figure, styled
-from rolamento.charts.texts import no_result, number, shown_text
+from rolamento.charts.texts import capitalised, no_result, number, shown_text
 from rolamento.errors import InputError
 from rolamento.plots.machine_drawing import (
     LINE,
@@ -41,6 +42,8 @@ from rolamento.plots.machine_drawing import (
 )
 from rolamento.solved import RACES
 from rolamento.words import said
+from rolamento.words.naming import machine_title
+from rolamento.words.quantities import called
 from rolamento.words.whirl import whirl_name
 
 if TYPE_CHECKING:
@@ -67,26 +70,30 @@ __all__ = [
 ]
 
 _MM: Final = MM
-_PANELS: Final = (36.0, 28.0, 28.0, 28.0)
-"""Heights of the panels below the drawing, in mm."""
-_BESIDE: Final = 51.0
-"""Height of what stands between panels: legends, numbers, labels, the title; in mm."""
+_WIDE: Final = 1.2 * WIDTH
+"""Width of a machine with two panels beside each other, in mm."""
+_LOW: Final = 38.0
+"""Height of one of them."""
+_BESIDE: Final = 58.0
+"""Height of what stands between them: legends, numbers, labels, the title; in mm."""
 _PANEL: Final = 40.0
 """Height of one of the panels of section forces, in mm."""
 _ROSETTE: Final = (50.0, 55.0)
 """Width and height of a rosette with its name, in mm."""
 _ABREAST: Final = 3
 """Rosettes in a row."""
+_NAMED: Final = 3
+"""Critical speeds that a Campbell diagram names in words."""
 _SLOPE: Final = 1e3
 """mrad for a rad."""
 
 
 @in_style
 def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
-    """Draw a machine in five panels along its axis.
+    """Draw a machine, and what it carries along its axis.
 
-    Shafts to scale with bearings and loads, the line of deflection, bending moment, shear force,
-    nominal stress.
+    Shafts to scale with bearings and loads; below them the line of deflection beside the bending
+    moment, the shear force beside the nominal stress.
 
     Parameters
     ----------
@@ -101,13 +108,12 @@ def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
         If this is no solved machine, or there is no such step.
     """
     check_step(solved, step)
-    plan = planned(solved.machine, step)
-    tall = plan.height + sum(_PANELS) + _BESIDE
-    figure = Figure(figsize=(WIDTH * MILLIMETRE, tall * MILLIMETRE))
-    grid = figure.add_gridspec(len(_PANELS) + 1, 1, height_ratios=(plan.height, *_PANELS))
-    drawing = figure.add_subplot(grid[0])
-    draw_planned(drawing, plan)
-    lower = [figure.add_subplot(grid[row + 1], sharex=drawing) for row in range(len(_PANELS))]
+    plan = planned(solved.machine, step, width=_WIDE - 15.0)
+    tall = plan.height + 2.0 * _LOW + _BESIDE
+    figure = Figure(figsize=(_WIDE * MILLIMETRE, tall * MILLIMETRE))
+    grid = figure.add_gridspec(3, 2, height_ratios=(plan.height, _LOW, _LOW))
+    draw_planned(figure.add_subplot(grid[0, :]), plan)
+    lower = [figure.add_subplot(grid[row, column]) for row in (1, 2) for column in (0, 1)]
     if solved.status.converged[step]:
         lines = _lines(solved, [step])
         _draw_deflection(lower[0], solved, lines, named=False)
@@ -120,14 +126,13 @@ def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
             (lower[3], stresses, MEGAPASCAL, said("Stress")),
         ):
             chart = _panel(lines, values, unit, name, solved)
-            _draw_low(replace(chart, y=replace(chart.y, zero=True)), axes)
+            along = replace(chart.x, limits=_extent(lines))
+            _draw_low(replace(chart, x=along, y=replace(chart.y, zero=True)), axes)
     else:
         for axes in lower:
             empty_frame(axes, said("no equilibrium"))
-    for axes in lower[:-1]:
+    for axes in lower[:2]:
         axes.set_xlabel("")
-        axes.tick_params(labelbottom=False)
-    label_x(lower[-1], said("x (mm)"))
     add_title(figure, title_of(solved, step))
     return figure
 
@@ -217,12 +222,12 @@ def _draw_deflection(
         far = np.interp(at, _along(one.shaft), 1e6 * one.shaft.deflection[one.step])
         color = series_look(2).color if single else one.look.color
         series.append(Line(at, far, "", Look(color, mark=one.look.mark, width=0.7), "points"))
-    shared = len(axes.get_shared_x_axes().get_siblings(axes)) > 1  # with a drawing
-    across = Axis(label=said("x (mm)"), limits=None if shared else _extent(lines))
+    across = Axis("x", "mm", _extent(lines))
     named_lines = (*series, *([] if single else _keys(lines)), *more)
-    chart = Chart(named_lines, across, Axis(label=said("Deflection (µm)")), marks=_marks(solved))
-    if shared:
-        axes.margins(x=0.0)
+    upright = Axis(said("Deflection"), "µm")
+    moved = [(o.label, _along(o.shaft), 1e6 * o.shaft.deflection[o.step]) for o in lines]
+    conclusion = peak(moved, across, upright)
+    chart = Chart(named_lines, across, upright, conclusion, marks=_marks(solved))
     draw(chart, axes)
     most = "≤ " if len({one.step for one in lines}) > 1 else ""
     texts = [f"{most}{number(place.slope, 2)} mrad" for place in places]
@@ -417,8 +422,12 @@ def _in_planes(
     keys = list(_keys(lines)) if not single and planes[0] == 1 else []
     if planes[0] != 1:
         series = [replace(line, name="") for line in series]
-    return Chart((*series, *keys), Axis(label=said("x (mm)")), Axis(name, read.symbol),
-                 marks=_marks(solved))  # fmt: skip
+    across, upright = Axis("x", "mm"), Axis(name, read.symbol)
+    sums = [read.of(np.hypot(*own.reshape(-1, 2).T)) for own in both]
+    places = [(one.label, np.repeat(_along(one.shaft), 2)) for one in lines]
+    together = [(*place, own) for place, own in zip(places, sums, strict=True)]
+    conclusion = peak(together, across, upright)
+    return Chart((*series, *keys), across, upright, conclusion, marks=_marks(solved))
 
 
 def _panel(
@@ -430,13 +439,14 @@ def _panel(
 ) -> Chart:
     """Return a number along each shaft."""
     alone = len(lines) == 1
-    series = (
+    series = tuple(
         Line(np.repeat(_along(one.shaft), 2), unit.of(own.ravel()), "",
              Look("ink") if alone else one.look)
         for one, own in zip(lines, values, strict=True)
     )  # fmt: skip
-    return Chart(tuple(series), Axis(label=said("x (mm)")), Axis(name, unit.symbol),
-                 marks=_marks(solved))  # fmt: skip
+    across, upright = Axis("x", "mm"), Axis(name, unit.symbol)
+    points = [(one.label, line.x, line.y) for one, line in zip(lines, series, strict=True)]
+    return Chart(series, across, upright, peak(points, across, upright), marks=_marks(solved))
 
 
 def _draw_low(chart: Chart, axes: Axes) -> None:
@@ -473,30 +483,30 @@ def machine_over_figure(found: MachineCurve) -> Figure:
             draw(chart, axes, legend=place in (0, 3))
         for axes in grid[:2]:
             axes.set_xlabel("")
-        add_title(figure, machine.title or said("Machine without a title"))
+        add_title(figure, machine_title(machine.title))
     return figure
 
 
 def machine_over_charts(found: MachineCurve) -> tuple[Chart, ...]:
     """Return the lives, pressures and tilts of bearings, and the deflections of shafts."""
     machine, x = found.first.solved, found.values
-    across = Axis(label=f"{found.key} ({found.unit})" if found.unit else found.key)
+    across = Axis(found.key, found.unit)
 
     def chart(names: Iterable[str], of: Callable[[str], FloatArray], upright: Axis) -> Chart:
         lines = (Line(x, of(name), name, series_look(i)) for i, name in enumerate(names))
         return Chart(tuple(lines), across, upright)
 
     lives = chart(machine.bearings, lambda name: found.of_bearing(name, "hours"),
-                  Axis(label=said("Life (h)"), log=True))  # fmt: skip
+                  Axis(name=said("Life"), unit="h", log=True))  # fmt: skip
     whole = Line(x, found.hours, said("together"), Look("ink", width=1.4))
     return (
         replace(lives, series=(*lives.series, whole)),
         chart(machine.bearings, lambda name: 1e-6 * found.of_bearing(name, "max_pressure"),
-              Axis(label=said("Maximum pressure (MPa)"), zero=True)),
+              Axis(name=capitalised(called("max_pressure")), unit="MPa", zero=True)),
         chart(machine.bearings, lambda name: 1e3 * found.of_bearing(name, "tilt"),
-              Axis(label=said("Tilt between the rings (mrad)"), zero=True)),
+              Axis(name=capitalised(called("ring_tilt")), unit="mrad", zero=True)),
         chart(machine.shafts, lambda name: 1e6 * found.of_shaft(name, "deflection"),
-              Axis(label=said("Deflection (µm)"), zero=True)),
+              Axis(name=said("Deflection"), unit="µm", zero=True)),
     )  # fmt: skip
 
 
@@ -612,11 +622,9 @@ def campbell_figure(found: Campbell) -> Figure:
     found
         From `rolamento.rotors.campbell`.
     """
-    with styled():
-        figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.65 * WIDTH * MILLIMETRE))
-        draw(campbell_chart(found), figure.add_subplot())
-        add_title(figure, found.machine.title or said("Machine without a title"))
-    return figure
+    return charts(
+        campbell_chart(found), title=machine_title(found.machine.title), height=0.65 * WIDTH
+    )
 
 
 def campbell_chart(found: Campbell) -> Chart:
@@ -638,14 +646,23 @@ def campbell_chart(found: Campbell) -> Chart:
     lines.append(Line(met[0], met[1], "", Look("ink", width=0.7), "points"))
     end = np.full(len(orders), rpm[-1])
     names = tuple(f"{number(order)}×" for order in orders)
+    criticals = [
+        said("{order}× meets {frequency:.3} Hz at {speed:.4} rpm", order=number(order),
+             frequency=frequency, speed=speed)
+        for order, speed, frequency in zip((one.order for one in found.critical), *met, strict=True)
+    ]  # fmt: skip
+    more = [said("{count} more", count=len(criticals) - _NAMED)] * (len(criticals) > _NAMED)
     sides: list[Side] = ["right"] * len(orders)
     labels = Labels(end, np.array(orders) * rpm[-1] / 60.0, names, tuple(sides))
     return Chart((*lines, labels), _speed_of(found.shaft),
-                 Axis(unit="Hz", zero=True, label=said("Natural frequency (Hz)")))  # fmt: skip
+                 Axis(unit="Hz", zero=True, name=said("Natural frequency")),
+                 "; ".join([*criticals[:_NAMED], *more])
+                 or said("no order meets a natural frequency up to {speed:.4} rpm", speed=rpm[-1]),
+                 )  # fmt: skip
 
 
 def _speed_of(shaft: str) -> Axis:
-    return Axis(unit="rpm", label=said("Speed of {shaft} (rpm)", shaft=shaft))
+    return Axis(unit="rpm", name=said("Speed of {shaft}", shaft=shaft))
 
 
 def modes_figure(found: Modes, *, count: int = 4) -> Figure:
@@ -659,8 +676,7 @@ def modes_figure(found: Modes, *, count: int = 4) -> Figure:
         How many of them.
     """
     shown = [mode_chart(found, mode) for mode in range(min(count, len(found)))]
-    title = found.machine.title or said("Machine without a title")
-    return charts(*shown, title=title, height=34.0 * len(shown))
+    return charts(*shown, title=machine_title(found.machine.title), height=34.0 * len(shown))
 
 
 def mode_chart(found: Modes, mode: int) -> Chart:
@@ -675,7 +691,7 @@ def mode_chart(found: Modes, mode: int) -> Chart:
             lines.append(Line(x, turned, "" if mode or place else "xyz"[axis], look))
     hertz = number(float(found.frequency[mode]) / (2.0 * np.pi))
     label = f"{hertz} Hz\n{whirl_name(str(found.whirl[mode]))}"
-    return Chart(tuple(lines), Axis(label=said("x (mm)")), Axis(limits=(-1.1, 1.1), label=label),
+    return Chart(tuple(lines), Axis("x", "mm"), Axis(limits=(-1.1, 1.1), label=label),
                  label.replace("\n", ", "))  # fmt: skip
 
 
@@ -687,19 +703,15 @@ def response_figure(found: UnbalanceResponse) -> Figure:
     found
         From `rolamento.rotors.unbalance_response`.
     """
-    with styled():
-        figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.75 * WIDTH * MILLIMETRE))
-        orbits, forces = figure.subplots(2, 1, sharex=True)
-        rpm, across = 30.0 / np.pi * np.abs(found.speed), _speed_of(found.shaft)
-        orbit = {name: 1e6 * found.amplitude(name).max(axis=1) for name in found.displacement}
-        force = {name: found.force_amplitude(name) for name in found.force}
-        for axes, own, label in (
-            (orbits, orbit, said("Greatest orbit (µm)")),
-            (forces, force, said("Force at bearing (N)")),
-        ):
-            lines = (Line(rpm, values, name, series_look(place))
-                     for place, (name, values) in enumerate(own.items()))  # fmt: skip
-            draw(Chart(tuple(lines), across, Axis(log=True, label=label)), axes)
-        orbits.set_xlabel("")
-        add_title(figure, found.machine.title or said("Machine without a title"))
-    return figure
+    rpm, across = 30.0 / np.pi * np.abs(found.speed), _speed_of(found.shaft)
+    orbit = {name: 1e6 * found.amplitude(name).max(axis=1) for name in found.displacement}
+    force = {name: found.force_amplitude(name) for name in found.force}
+    shown = []
+    for own, upright in (
+        (orbit, Axis(said("Greatest orbit"), "µm", log=True)),
+        (force, Axis(said("Force at bearing"), "N", log=True)),
+    ):
+        lines = (Line(rpm, values, name, series_look(place))
+                 for place, (name, values) in enumerate(own.items()))  # fmt: skip
+        shown.append(Chart(tuple(lines), across, upright))
+    return charts(*shown, title=machine_title(found.machine.title), height=0.75 * WIDTH)

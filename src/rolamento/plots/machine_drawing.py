@@ -20,6 +20,7 @@ from rolamento.charts.texts import number, shown_text
 from rolamento.errors import InputError
 from rolamento.types import type_of_element
 from rolamento.words import said
+from rolamento.words.naming import machine_title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,12 +34,12 @@ __all__ = ["draw_machine"]
 MM: Final = 1e3
 LOAD: Final = "#8A3A6B"
 """The house's purple, dark enough for small type."""
-SPOKEN: Final = 1.45
+SPOKEN: Final = 1.65
 """Width of a character of small type on paper, in mm."""
-LINE: Final = 3.3
+LINE: Final = 3.75
 """Height of a line of it."""
-SMALL: Final = 7.5
-MOST: Final = 110.0
+SMALL: Final = 8.5
+MOST: Final = 105.0
 """Greatest height of a drawing on paper, in mm."""
 ACROSS: Final = 124.0
 """Its width, likewise."""
@@ -121,7 +122,7 @@ def check_step(solved: SolvedMachine, step: int) -> None:
 
 def title_of(solved: SolvedMachine, step: int | None) -> str:
     """Return what a machine is called, and a step of its spectrum."""
-    title = solved.title or said("Machine without a title")
+    title = machine_title(solved.title)
     name = "" if step is None else solved.steps[step]
     return f"{title}: {name}" if name else title
 

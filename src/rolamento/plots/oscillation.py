@@ -52,8 +52,12 @@ def angle_chart(found: OscillationCase) -> Chart:
     return Chart(
         tuple(series),
         Axis(unit="°", limits=(float(angles[0]), float(angles[-1])), log=True,
-             label=said("Angle of oscillation between the end points (°)")),
-        Axis(log=True, label=said("Life (million oscillations)")),
+             name=said("Angle of oscillation between the end points")),
+        Axis(log=True, name=said("Life"), unit=said("million oscillations")),
+        said("this duty, {angle:.3 °}: {life}; frets below {frets:.3 °}", angle=life.angle,
+             frets=0.5 * life.critical,
+             life=said("{life:.3} million oscillations", life=life.life)
+             if np.isfinite(life.life) else said("no life")),
         marks=tuple(marks),
         zones=(frets,),
     )  # fmt: skip

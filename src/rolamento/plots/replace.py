@@ -59,7 +59,8 @@ def remaining_chart(found: RemainingLife) -> Chart:
     new = conditional_reliability(law.shape, law.scale, 0.0, fine)
     series.append(Line(fine, 100.0 * new, said("new"), _SECOND))
     marks: tuple[Mark, ...] = ()
-    conclusion = ""
+    median = said("{age} {unit}", age=number(found.median.value, 3), unit=unit)
+    conclusion = f"{median}: {number(50.0)} %"
     if asked:
         chance = 100.0 * found.reliability.value
         marks = (Mark(found.mission, "", Look("grey", width=0.65), "x"),)
@@ -67,8 +68,8 @@ def remaining_chart(found: RemainingLife) -> Chart:
         conclusion = f"{number(found.mission)} {unit}: {number(chance, 3)} %"
     return Chart(
         tuple(series),
-        Axis(limits=(0.0, longest), label=said("Time from now ({unit})", unit=unit)),
-        Axis(limits=(0.0, 101.0), label=said("Probability of running on (%)")),
+        Axis(limits=(0.0, longest), name=said("Time from now"), unit=unit),
+        Axis(limits=(0.0, 101.0), name=said("Probability of running on"), unit="%"),
         conclusion,
         marks=marks,
     )
@@ -112,9 +113,10 @@ def ages_chart(found: AgeReplacement, currency: str = "") -> Chart:
     top = 1.25 * max(never, *costs[ages >= 0.5 * middle].tolist())
     return Chart(
         tuple(series),
-        Axis(limits=(0.0, longest), label=said("Age of replacement ({unit})", unit=unit)),
+        Axis(limits=(0.0, longest), name=said("Age of replacement"), unit=unit),
         Axis(limits=(0.0, top), label=upright),
-        series[-1].name if found.worthwhile else said("replaced on failure"),
+        f"{series[-1].name if found.worthwhile else said('replaced on failure')}: "
+        f"{number(1000.0 * found.cost if found.worthwhile else never, 3)} {money}".rstrip(),
         marks=(Mark(never, said("replaced on failure"), _SECOND),),
         zones=zones,
     )

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from rolamento.charts import Axis, Bars, Chart, Labels, Line, Look, Mark, nothing
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.record import Side
-from rolamento.charts.texts import no_result
+from rolamento.charts.texts import no_result, number
 from rolamento.words import said
 from rolamento.words.sentences.service_life import ENDING_NAMES
 
@@ -62,12 +62,11 @@ def endings_chart(found: ServiceLife) -> Chart:
         Mark(required, said("required life"), Look("ink", "dash", width=0.7), "x"),
     )  # fmt: skip
     names = (textwrap.fill(said(ENDING_NAMES[one.name]), _WIDTH) for one in found.endings)
-    first = found.first
     return Chart(
         tuple(series),
-        Axis(limits=limits, log=True, label=said("Time (h)")),
+        Axis(limits=limits, log=True, name=said("Time"), unit="h"),
         Axis(categories=tuple(names)),
-        "" if first is None else f"{said(ENDING_NAMES[first.name])}: {first.hours:.4g} h",
+        _conclusion(found),
         marks=needed,
     )
 
@@ -84,18 +83,33 @@ def _limits(found: ServiceLife) -> tuple[float, float]:
     return 0.7 * min([*known, _LEAST]), 1.5 * max([*known, _MOST])
 
 
-def _words(place: int, one: Ending, color: str, limits: tuple[float, float]) -> Labels:
-    """Return what is said of an ending that has no time."""
-    text = (
+def _conclusion(found: ServiceLife) -> str:
+    """Say what ends it first; where that has no time, what has the shortest known one too."""
+    timed = [one for one in found.endings if np.isfinite(one.hours) and one.hours > 0.0]
+    soonest = min(timed, key=lambda one: one.hours, default=None)
+    named = {one.name: one for one in (found.first, soonest) if one is not None}
+    facts = (f"{said(ENDING_NAMES[name])}: {_when(one)}" for name, one in named.items())
+    return "; ".join(facts) or said("nothing ends it at a known time")
+
+
+def _when(one: Ending) -> str:
+    """Return the hours of an ending, or what is said of one that has no time."""
+    if np.isfinite(one.hours) and one.hours > 0.0:
+        return f"{number(one.hours)} h"
+    return (
         said("at work, no time known") if one.acting
         else said("at once") if one.hours == 0.0
         else said("never") if one.hours == np.inf
         else said("not known")
     )  # fmt: skip
+
+
+def _words(place: int, one: Ending, color: str, limits: tuple[float, float]) -> Labels:
+    """Return what is said of an ending that has no time, where it stands."""
     middle: tuple[float, Side] = (float(np.sqrt(limits[0] * limits[1])), "on")
     ends: dict[float, tuple[float, Side]] = {0.0: (limits[0], "right"), np.inf: (limits[1], "left")}
     at, side = ends.get(one.hours, middle)
-    return Labels(np.array([at]), np.array([float(place)]), (text,), (side,), color)
+    return Labels(np.array([at]), np.array([float(place)]), (_when(one),), (side,), color)
 
 
 def _bar(place: int, one: Ending, color: str) -> tuple[Bars, Line]:

@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 
 from rolamento.charts import Axis, Bars, Chart, Look, Mark, Zone
 from rolamento.charts.drawing import draw, figure
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import shown_text
 from rolamento.plots.growth import growth_chart, over_time
 from rolamento.words import marked, said
@@ -66,8 +65,7 @@ def zone_bars(
     setting
         Alarm and trip of the only class.
     """
-    axes = new_figure(height=_height(classes))[1] if axes is None else axes
-    return draw(zones_chart(measured, classes, setting), axes)
+    return draw(zones_chart(measured, classes, setting), axes, height=_height(classes))
 
 
 def _height(classes: Sequence[MachineClass]) -> float:
@@ -100,9 +98,10 @@ def zones_chart(
     intervals = (Zone(_MILLI * one.lower, _MILLI * one.upper, "", "ink", "x") for _, one in there)
     return Chart(
         tuple(zones),
-        Axis(limits=(0.0, _MILLI * top), label=said("RMS velocity (mm/s)")),
+        Axis(limits=(0.0, _MILLI * top), name=said("RMS velocity"), unit="mm/s"),
         Axis(categories=tuple(class_name(machine.name) for machine in classes)),
-        "; ".join(_with_zones(name, one, classes) for name, one in there),
+        "; ".join(_with_zones(name, one, classes) for name, one in there)
+        or "; ".join(_with_velocity(class_name(one.name), one.velocity[-1]) for one in classes),
         marks=tuple(marks),
         zones=tuple(intervals),
         stacked=True,
@@ -148,6 +147,6 @@ def severity_trend_figure(
         Zone(low, high, zone, color)
         for (zone, color), low, high in zip(_ZONES.items(), edges, edges[1:], strict=False)
     ]
-    upright = said("RMS velocity (mm/s)")
+    upright = Axis(said("RMS velocity"), "mm/s")
     chart = growth_chart(times, velocities, found, over_time(start), upright, zones)
     return figure(chart, title=title, height=95.0)

@@ -13,7 +13,6 @@ from rolamento.charts import Arrows, Axis, Chart, Field, Line, Look, nothing, on
 from rolamento.charts.axes_units import MEGAPASCAL, MILLIMETRE, ReadableUnit
 from rolamento.charts.contacts import refuse_rollers
 from rolamento.charts.drawing import draw, figure
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import no_result, number
 from rolamento.friction.slip import (
     Patch,
@@ -72,8 +71,7 @@ def slip_map(
 
     axes: to draw on, with a colour bar beside them; of a new figure if not given.
     """
-    axes = new_figure(height=62.0)[1] if axes is None else axes
-    return draw(slip_chart(solved, quantity, race, ball), axes)
+    return draw(slip_chart(solved, quantity, race, ball), axes, height=62.0)
 
 
 def slip_maps(solved: Solved, *, race: Race = "inner", ball: int = _HEAVIEST) -> tuple[Axes, ...]:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
 from rolamento.charts.axes_units import readable_unit
 from rolamento.charts.drawing import figure
-from rolamento.charts.texts import no_result
+from rolamento.charts.texts import no_result, number
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -53,17 +53,19 @@ def _safety(curve: LoadCurve) -> Chart:
         top = max(_ABOVE[0] * (wanted or 1.0), _ABOVE[1] * design)
         limits = 0.0, min(top, 1.05 * float(np.nanmax(curve.safety)))
         upright = replace(upright, limits=limits)
-    return Chart(tuple(lines), _across(curve), upright, marks=tuple(marks))
+    own = (f"{line.name} {number(float(np.interp(1.0, line.x, line.y)), 3)}" for line in lines)
+    conclusion = said("at the design load: {safeties}", safeties=", ".join(own))
+    return Chart(tuple(lines), _across(curve), upright, conclusion, marks=tuple(marks))
 
 
 def _gaps(curve: LoadCurve) -> Chart:
     read = readable_unit("m", curve.gap)
-    lines = (
+    lines = tuple(
         Line(curve.factor, read.of(curve.gap[:, row]), said("row {row}", row=row), series_look(row))
         for row in range(curve.gap.shape[1])
     )
     upright = Axis(said("Gap at the inner race"), read.symbol, zero=True)
-    return Chart(tuple(lines), _across(curve), upright, marks=(_DESIGN,))
+    return Chart(lines, _across(curve), upright, marks=(_DESIGN,))
 
 
 _DESIGN: Final = Mark(1.0, "", Look("grey", width=0.45), "x")

@@ -14,6 +14,7 @@ from typing import Any, Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.charts import Axis
 from rolamento.charts.axes_units import CELSIUS, NONE, ReadableUnit, readable_unit
 from rolamento.charts.texts import capitalised, shown_text
 from rolamento.errors import InputError, nearest
@@ -104,7 +105,7 @@ class PlottedVariable:
     values
         in the unit shown; NaN where there is no result; positions, if there are texts
     label
-        name and unit, for an axis
+        what it is called
     unit
         that is shown
     texts
@@ -117,6 +118,11 @@ class PlottedVariable:
     label: str
     unit: ReadableUnit
     texts: tuple[str, ...] = ()
+
+    @property
+    def axis(self) -> Axis:
+        """The axis that it runs along, without limits."""
+        return Axis(self.label, self.unit.symbol)
 
 
 def outputs(study: StudyData) -> list[str]:
@@ -169,8 +175,7 @@ def axis_of(study: StudyData, name: str, size: int) -> PlottedVariable:
     along = [n for n in inputs(study) if n == name or str(study.coords[n].dims[0]) == name]
     coordinate = study.coords[name if name in along else along[0]] if along else None
     if coordinate is None:
-        label = NONE.label(variable_label(name))
-        return PlottedVariable(name, (name,), np.arange(float(size)), label, NONE)
+        return PlottedVariable(name, (name,), np.arange(float(size)), variable_label(name), NONE)
     column = _input(name if name in along else along[0], coordinate)
     if not np.isfinite(column.values).all():
         raise InputError(said("contains something that is not a number"), field=name)
@@ -256,7 +261,7 @@ def _plotted(
     unit = readable_unit(str(variable.attrs.get("units", "1")), values, name)
     if unit.symbol == "K" and "given_in" in variable.attrs:  # in a scale that people read
         values, unit = np.round(values - ZERO_CELSIUS, 9), CELSIUS
-    label = unit.label(variable_label(name, variable.attrs))
+    label = variable_label(name, variable.attrs)
     return PlottedVariable(name, dims, unit.of(values), label, unit)
 
 

@@ -24,9 +24,9 @@ from rolamento.charts import (
     step_line,
 )
 from rolamento.charts.axes_units import NONE, PERCENT, ReadableUnit
+from rolamento.charts.courses import extremes
 from rolamento.charts.drawing import draw
 from rolamento.charts.palette import SERIES
-from rolamento.charts.style import new_figure
 from rolamento.charts.texts import no_result, no_result_count, number
 from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile
@@ -165,15 +165,14 @@ def lines_chart(studies: Mapping[str, StudyData], variable: str = "", over: str 
                                height=0.02))  # fmt: skip
     alone = len(tables) == 1 and len(first.others) == 1 and not banded
     over_names = _dim_label(study, first.others[0]) if alone else ""
-    return Chart(tuple(series), _axis(x), Axis(label=y.label), over_names=over_names)
+    return Chart(tuple(series), _axis(x), y.axis, over_names=over_names)
 
 
 def study_map(
     study: StudyData, variable: str = "", axes: Axes | None = None, *, over: str = ""
 ) -> Axes:
     """Draw an output over two axes of a study, as `map_chart` has it."""
-    axes = new_figure(height=100.0)[1] if axes is None else axes
-    return draw(map_chart(study, variable, over), axes)
+    return draw(map_chart(study, variable, over), axes, height=100.0)
 
 
 def map_chart(study: StudyData, variable: str = "", over: str = "") -> Chart:
@@ -195,7 +194,7 @@ def map_chart(study: StudyData, variable: str = "", over: str = "") -> Chart:
     count = no_result_count(missing, table.values.size, first_reason(study)) if missing else ""
     colours = Field(
         _edges(x.values[order_x]), _edges(y.values[order_y]),
-        table.values[np.ix_(order_x, order_y)].T, Axis(label=table.output.label), missing=count,
+        table.values[np.ix_(order_x, order_y)].T, table.output.axis, missing=count,
     )  # fmt: skip
     return Chart((colours,), _axis(x, ends=True), _axis(y, ends=True))
 
@@ -315,8 +314,8 @@ def _labels(study: StudyData, dim: str, output: PlottedVariable, *, alone: bool)
     if alone or family.texts:
         return tuple(values)
     if dim in _COUNTED:
-        return tuple(f"{family.label.partition(' (')[0].lower()} {value}" for value in values)
-    return tuple(f"{family.label}: {value}" for value in values)
+        return tuple(f"{family.label.lower()} {value}" for value in values)
+    return tuple(f"{family.axis.title}: {value}" for value in values)
 
 
 def _lines(label: str, table: _Table) -> Iterator[_Lines]:
@@ -329,7 +328,7 @@ def _lines(label: str, table: _Table) -> Iterator[_Lines]:
 
 def _dim_label(study: StudyData, dim: str) -> str:
     """Return what stands over the lines of an axis; variants need nothing."""
-    return "" if dim == VARIANT else axis_of(study, dim, 1).label
+    return "" if dim == VARIANT else axis_of(study, dim, 1).axis.title
 
 
 def _joined(columns: Sequence[PlottedVariable]) -> PlottedVariable:
@@ -398,16 +397,13 @@ def _percentile(values: Floats, percent: float) -> Floats:
 def _axis(column: PlottedVariable, *, ends: bool = False) -> Axis:
     """Return the axis along which something runs; ends: whether it has the ends of the numbers."""
     if column.texts:
-        return Axis(
-            label=column.label, ticks=tuple((float(i), one) for i, one in enumerate(column.texts))
-        )
+        ticks = tuple((float(i), one) for i, one in enumerate(column.texts))
+        return replace(column.axis, ticks=ticks)
     low, high = float(column.values.min()), float(column.values.max())
     log = _in_ratios(column.values)
     whole = column.unit is NONE and np.array_equal(column.values, np.round(column.values))
-    return Axis(
-        label=column.label, limits=(low, high) if ends and low < high else None, log=log,
-        whole=whole and not log,
-    )  # fmt: skip
+    limits = (low, high) if ends and low < high else None
+    return replace(column.axis, limits=limits, log=log, whole=whole and not log)
 
 
 def _in_ratios(values: Floats) -> bool:
@@ -499,12 +495,11 @@ def histogram_chart(studies: Mapping[str, StudyData], variable: str = "") -> Cha
         name = "" if alone else f"{label}: {median}".removesuffix(f" {NONE.symbol}")
         series.append(Line(*step_line(edges, shares), name, series_look(index), filled=alone))
     series += _missing(values, first_reason(*studies.values()))
-    share = PERCENT.label(said("Share of the samples"))
     return Chart(
         tuple(series),
-        Axis(label=output.label),
-        Axis(label=share, zero=True),
-        marks[1].name if len(marks) > 1 else "",
+        output.axis,
+        Axis(said("Share of the samples"), PERCENT.symbol, zero=True),
+        marks[1].name if len(marks) > 1 else "; ".join(one.name for one in series if one.name),
         marks=tuple(marks),
     )
 
@@ -550,8 +545,10 @@ def scatter_chart(study: StudyData, variable: str = "", over: str = "") -> Chart
         (Line(across.values, output.values, "", look, "points"),
          *_missing(output.values, first_reason(study))),
         replace(_axis(across), log=False, whole=False),
-        Axis(label=output.label),
-        marks[1].name if len(marks) > 1 else "",
+        output.axis,
+        marks[1].name if len(marks) > 1 else extremes(
+            [("", across.values, output.values)], across.axis, output.axis
+        ),
         marks=tuple(marks),
     )  # fmt: skip
 

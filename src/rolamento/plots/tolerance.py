@@ -112,6 +112,7 @@ def distribution_chart(values: Floats, bands: ToleranceBands, band: ToleranceBan
     series: list[Line | Labels] = [
         Line(*step_line(edges, PERCENT.of(shares)), "", series_look(0), filled=True)
     ]
+    upright = Axis(label=unit.symbol, unit=unit.symbol)
     marks, zones = [], []
     for percent, value, low, high in zip(
         bands.percentiles, band.percentile, band.low, band.high, strict=True
@@ -127,9 +128,13 @@ def distribution_chart(values: Floats, bands: ToleranceBands, band: ToleranceBan
         zones.append(Zone(float(ends[0]), float(ends[1]), "", "ink", "x"))
     return Chart(
         tuple(series),
-        Axis(label=unit.symbol),
+        upright,
         Axis(limits=(0.0, 120.0 * float(shares.max())),
-             label=PERCENT.label(said("Share of the samples"))),
+             name=said("Share of the samples"), unit=PERCENT.symbol),
+        "; ".join(
+            f"{number(percent, 6)} %: {upright.with_unit(number(float(unit.of(value)), 4))}"
+            for percent, value in zip(bands.percentiles, band.percentile, strict=True)
+        ),
         title=_name(band.name, band.long_name),
         marks=tuple(marks),
         zones=tuple(zones),

@@ -118,10 +118,10 @@ def trend_chart(
     known = capitalised(said(QUANTITIES[name]) if name in QUANTITIES else name)
     return Chart(
         tuple(series),
-        Axis(limits=(min(0.0, float(times.min())), right),
-             label=over_time(trend.start, trend.time_unit)),
+        replace(over_time(trend.start, trend.time_unit),
+                limits=(min(0.0, float(times.min())), right)),
         Axis(limits=(0.0, top) if np.nanmin(values) >= 0.0 else None,
-             label=f"{known} ({unit})" if unit else known),
+             name=known, unit=unit),
         marks=tuple(marks.values()),
     )  # fmt: skip
 

@@ -27,13 +27,14 @@ from rolamento.charts import (
     nothing,
     series_look,
 )
+from rolamento.charts.courses import course, extremes
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.record import Side
-from rolamento.charts.style import new_figure
-from rolamento.charts.texts import number
+from rolamento.charts.texts import capitalised, number
 from rolamento.vibration.diagnosis import COMPONENTS
-from rolamento.words import manner, marked, said
+from rolamento.words import manner, said
 from rolamento.words.naming import part_name
+from rolamento.words.quantities import called
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,12 +52,6 @@ _PERIODS: Final = 12.0
 """Number of periods of a fault that are shown of its waveform."""
 _MOST_MARKS: Final = 200
 _PHASES: Final = 64
-_QUANTITIES: Final = {
-    "acceleration": marked("Acceleration"),
-    "velocity": marked("Velocity"),
-    "displacement": marked("Displacement"),
-    "unknown": marked("Signal"),
-}
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
 
 
@@ -125,8 +120,9 @@ def waveform(
     band: Span | None = None,
 ) -> Axes:
     """Draw a signal over time, as `waveform_chart` has it, on axes; by default of a new figure."""
-    axes = new_figure(height=70.0)[1] if axes is None else axes
-    return draw(waveform_chart(signal, period=period, part=part, span=span, band=band), axes)
+    return draw(
+        waveform_chart(signal, period=period, part=part, span=span, band=band), axes, height=70.0
+    )
 
 
 def waveform_chart(
@@ -163,12 +159,18 @@ def waveform_chart(
         times = _impacts(signal, (first, last), period, band)
         marks = [Mark(time, "" if place else name, look, "x") for place, time in enumerate(times)]
     unit = _UNITS.get(signal.unit, signal.unit)
-    quantity = said(_QUANTITIES[signal.quantity])
+    quantity = capitalised(called(signal.quantity))
     return Chart(
         (_samples(samples, first, signal.rate),),
-        Axis(limits=(first / signal.rate, last / signal.rate), label=said("Time (s)")),
-        Axis(label=f"{quantity} ({unit})" if unit else quantity),
-        marks[0].name if marks else "",
+        Axis(limits=(first / signal.rate, last / signal.rate), name=said("Time"), unit="s"),
+        Axis(quantity, unit),
+        marks[0].name
+        if marks
+        else extremes(
+            [("", np.arange(first, last) / signal.rate, samples)],
+            Axis(unit="s"),
+            Axis(quantity, unit),
+        ),
         marks=tuple(marks),
     )
 
@@ -291,8 +293,8 @@ def kurtogram_chart(found: Kurtogram | None, band: Span | None = None) -> Chart:
     ticks = ((place + 0.5, number(found.levels[place].bandwidth)) for place in range(0, rows, step))
     return Chart(
         (colours, *frames),
-        Axis(limits=(0.0, half), label=said("Frequency (Hz)")),
-        Axis(limits=(float(rows), 0.0), ticks=tuple(ticks), label=said("Bandwidth (Hz)")),
+        Axis(limits=(0.0, half), name=said("Frequency"), unit="Hz"),
+        Axis(limits=(float(rows), 0.0), ticks=tuple(ticks), name=said("Bandwidth"), unit="Hz"),
         name,
     )
 
@@ -345,8 +347,7 @@ def envelope_lines(
     diagnosis: Diagnosis, axes: Axes | None = None, *, band: int | None = None
 ) -> Axes:
     """Draw the spectrum of `envelope_chart` on axes; of a new figure if not given."""
-    axes = new_figure(height=95.0)[1] if axes is None else axes
-    return draw(envelope_chart(diagnosis, band), axes)
+    return draw(envelope_chart(diagnosis, band), axes, height=95.0)
 
 
 def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:
@@ -388,7 +389,9 @@ def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:
         look, verdict = series_look(number_of), diagnosis.of(part)
         name = part_name(part, diagnosis.element)
         if verdict.band is not None:
-            found.append(said("{part}, found", part=name))
+            found.append(
+                said("{part}, found at {frequency:.4 Hz}", part=name, frequency=verdict.frequency)
+            )
             series += _found(verdict, name, look, spectrum)
         elif verdict.verdict == "nothing_found":
             nominal = verdict.nominal_order * diagnosis.shaft_frequency
@@ -404,9 +407,16 @@ def envelope_chart(diagnosis: Diagnosis, band: int | None = None) -> Chart:
     low, high = diagnosis.spectra.bands[place]
     return Chart(
         tuple(series),
-        Axis(limits=(0.0, end), label=said("Frequency (Hz)")),
-        Axis(limits=(_FLOOR, top), label=said("Envelope² over noise (dB)")),
-        "; ".join(found),
+        Axis(limits=(0.0, end), name=said("Frequency"), unit="Hz"),
+        Axis(limits=(_FLOOR, top), name=said("Envelope² over noise"), unit="dB"),
+        "; ".join(found)
+        or course(
+            said("no fault found; spectrum"),
+            hertz,
+            np.maximum(level, _FLOOR),
+            Axis(unit="Hz"),
+            Axis(unit="dB"),
+        ),
         marks=tuple(marks),
         zones=tuple(zones),
         over_names=said("Band {low:.4} to {high:.4 Hz}", low=low, high=high),

@@ -138,8 +138,8 @@ def paper_chart(summary: LifeTestSummary, bands: Mapping[str, Band] | None = Non
     return Chart(
         once(series),
         Axis(limits=across, log=True,
-             label=said("Time ({unit})", unit=shown_text(summary.test.unit))),
-        Axis(limits=upright, ticks=ticks, label=said("Failed (%)")),
+             name=said("Time"), unit=shown_text(summary.test.unit)),
+        Axis(limits=upright, ticks=ticks, name=said("Failed"), unit="%"),
         "; ".join(map(_label_of, summary.groups)),
         marks=(Mark(float(plot_ordinate(0.1)), "", Look("grey", width=0.5)),),
     )  # fmt: skip

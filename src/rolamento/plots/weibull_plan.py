@@ -65,9 +65,20 @@ def chance_chart(plans: Sequence[Demonstration], unit: str) -> Chart:
     return Chart(
         tuple(lines),
         Axis(limits=_RATIOS, log=True, label=said("True life/required life")),
-        Axis(limits=(0.0, 100.0), label=said("Probability of passing (%)")),
+        Axis(limits=(0.0, 100.0), name=said("Probability of passing"), unit="%"),
+        said(
+            "bearings of just the required life pass in {exactly}, of twice the life in {twice}",
+            exactly=_chances(planned, 1.0),
+            twice=_chances(planned, 2.0),
+        ),
         marks=(exactly,),
     )
+
+
+def _chances(plans: Sequence[Demonstration], ratio: float) -> str:
+    """The chances that bearings of some multiple of the required life pass."""
+    found = [float(plan.chance_of_passing(np.array([ratio]))[0]) for plan in plans]
+    return ", ".join(dict.fromkeys(f"{number(100.0 * one, 3)} %" for one in found))
 
 
 def cost_figure(plans: Sequence[LifeTestPlan], unit: str) -> Figure:
@@ -98,12 +109,18 @@ def cost_chart(plans: Sequence[LifeTestPlan], unit: str) -> Chart:
         if own:  # beside each other where they take as many bearings
             series += _scheme(own, index, name, _ASIDE * most * (index - 1))
     ends = [plan.duration for plan in planned if plan.duration is not None]
+    soonest = min(planned, key=lambda plan: plan.duration.mean if plan.duration else np.inf)
     lowest, highest = min(end.lower for end in ends), max(end.upper for end in ends)
     return Chart(
         tuple(series),
         Axis(limits=(0.0, 1.1 * most), label=said("Bearings")),
         Axis(limits=(lowest / 1.3, highest * 1.3), log=True,
-             label=said("Duration ({unit})", unit=shown_text(unit, 12))),
+             name=said("Duration"), unit=shown_text(unit, 12)),
+        said(
+            "soonest done: {name}, {bearings} bearings, {time} {unit}",
+            name=names[soonest.scheme], bearings=soonest.bearings, unit=shown_text(unit, 12),
+            time=number(soonest.duration.mean if soonest.duration else lowest, 3),
+        ),
         over_names=said("bars: 90 % of the tests end within; numbers: failures"),
     )  # fmt: skip
 

@@ -15,18 +15,19 @@ from rolamento.geometry import Race, race_curvature
 from rolamento.solved import RACES, Solved
 from rolamento.studies.outputs import Evaluation, Floats, Output
 from rolamento.words import marked, said
+from rolamento.words.quantities import CALLED
 
 Get = Callable[[Evaluation], Floats]
 
 _CONTACT: Final = (
-    ("load", "N", marked("contact load")),
-    ("contact_angle", "rad", marked("contact angle")),
-    ("deflection", "m", marked("contact deflection")),
-    ("semi_major", "m", marked("semi-major axis of the ellipse")),
-    ("semi_minor", "m", marked("semi-minor axis of the ellipse")),
-    ("max_pressure", "Pa", marked("Hertz pressure")),
-    ("mean_pressure", "Pa", marked("mean Hertz pressure")),
-    ("spin_to_roll", "1", marked("spin-to-roll ratio")),
+    ("load", "N", CALLED["load"]),
+    ("contact_angle", "rad", CALLED["contact_angle"]),
+    ("deflection", "m", CALLED["deflection"]),
+    ("semi_major", "m", CALLED["semi_major"]),
+    ("semi_minor", "m", CALLED["semi_minor"]),
+    ("max_pressure", "Pa", CALLED["pressure"]),
+    ("mean_pressure", "Pa", CALLED["mean_pressure"]),
+    ("spin_to_roll", "1", CALLED["spin_to_roll"]),
 )
 _BALL: Final = (
     ("centrifugal_force", "N", marked("centrifugal force")),

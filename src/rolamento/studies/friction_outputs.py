@@ -21,6 +21,7 @@ from rolamento.solved import RACES
 from rolamento.studies.bearing_outputs import at_race, family
 from rolamento.studies.outputs import Evaluation, Floats, Output
 from rolamento.words import marked, said
+from rolamento.words.quantities import CALLED, called
 
 if TYPE_CHECKING:
     from rolamento.friction import Friction, Torque
@@ -89,20 +90,17 @@ def _of_models() -> Iterator[Output]:
 
 
 def _of_model(what: str, model: str) -> str:
-    name = torque_model_name(model)
-    if what == "torque":
-        return said("friction torque, {model}", model=name)
-    return said("friction power loss, {model}", model=name)
+    return said("{quantity}, {part}", quantity=called(what), part=torque_model_name(model))
 
 
 def _of_control() -> Iterator[Output]:
     """What friction control finds, where the case is solved with it."""
-    for name, unit, called, attribute in (
-        ("rolling_power", "W", marked("power loss in the contacts (friction control)"), "power"),
-        ("cage_speed", "rad/s", marked("cage speed (friction control)"), "cage_speed"),
+    for name, unit, text, attribute in (
+        ("rolling_power", "W", CALLED["rolling_power"], "power"),
+        ("cage_speed", "rad/s", CALLED["cage_speed"], "cage_speed"),
     ):
         yield Output(
-            name, unit, partial(said, called), _of_rolling(attribute), needs=("friction control",)
+            name, unit, partial(said, text), _of_rolling(attribute), needs=("friction control",)
         )
 
 

@@ -37,7 +37,7 @@ def heat_outputs() -> tuple[Output, ...]:
             (
                 "power",
                 "W",
-                marked("friction power loss (heat balance)"),
+                marked("power loss (heat balance)"),
                 lambda one: one.power,
                 _NEEDS,
             ),

@@ -16,6 +16,7 @@ from rolamento.life.theories import THEORIES
 from rolamento.life.theory import CLEANLINESS, REQUIRED_LIFE, VISCOSITY_RATIO
 from rolamento.studies.outputs import Evaluation, Floats, Output
 from rolamento.words import marked, said
+from rolamento.words.quantities import CALLED
 from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
@@ -177,18 +178,18 @@ def _bound() -> Output:
 
 def _of_loads() -> Iterator[Output]:
     for name, unit, called, path in (
-        ("dynamic_rating", "N", marked("basic dynamic load rating C"), "ratings.dynamic_of_set"),
-        ("static_rating", "N", marked("basic static load rating C_0"), "ratings.static_of_set"),
-        ("fatigue_load_limit", "N", marked("fatigue load limit C_u"), "ratings.fatigue_of_set"),
-        ("equivalent_load", "N", marked("equivalent dynamic load P (ISO 281)"), "loads.dynamic"),
-        ("reference_load", "N", marked("equivalent reference load P_ref (ISO/TS 16281)"),
+        ("dynamic_rating", "N", CALLED["dynamic_rating"], "ratings.dynamic_of_set"),
+        ("static_rating", "N", CALLED["static_rating"], "ratings.static_of_set"),
+        ("fatigue_load_limit", "N", CALLED["fatigue_load_limit"], "ratings.fatigue_of_set"),
+        ("equivalent_load", "N", CALLED["equivalent_load"], "loads.dynamic"),
+        ("reference_load", "N", CALLED["reference_load"],
          "reference_load"),
-        ("static_equivalent_load", "N", marked("equivalent static load P_0"), "loads.static"),
-        ("static_safety", "1", marked("static safety factor S_0 = C_0/P_0"), "loads.safety"),
+        ("static_equivalent_load", "N", CALLED["static_equivalent_load"], "loads.static"),
+        ("static_safety", "1", CALLED["static_safety"], "loads.safety"),
     ):  # fmt: skip
         yield Output(name, unit, partial(said, called), _number(attrgetter(path)), needs=_LIFE)
     ratio = _number(_rating_over_load)
-    yield Output("rating_over_load", "1", lambda: said("load ratio C/P"), ratio, needs=_LIFE)
+    yield Output("rating_over_load", "1", partial(said, CALLED["load_ratio"]), ratio, needs=_LIFE)
 
 
 def _of_factors() -> Iterator[Output]:
@@ -199,11 +200,11 @@ def _of_factors() -> Iterator[Output]:
         for standard in [one.name.removesuffix("_modified")]
     )
     for name, called, get, needs in (
-        ("contamination_factor", marked("contamination factor e_C"), _contamination, _MODIFIED),
+        ("contamination_factor", CALLED["contamination_factor"], _contamination, _MODIFIED),
         *factors,
         (
             "required_life_reliability",
-            marked("reliability at the required life"),
+            CALLED["required_life_reliability"],
             _reliability_of_required,
             (*_LIFE, REQUIRED_LIFE.name),
         ),

@@ -12,6 +12,7 @@ from rolamento.solved import RACES
 from rolamento.studies.bearing_outputs import at_race, family
 from rolamento.studies.outputs import Evaluation, Floats, Output
 from rolamento.words import marked, said
+from rolamento.words.quantities import CALLED, called
 
 if TYPE_CHECKING:
     from rolamento.lubrication import Film
@@ -22,7 +23,7 @@ _ROUGH: Final = (*_OIL, "surface")
 _CONTACT: Final = (
     ("central_film_thickness", marked("central film thickness"), "central_thickness", "m", _OIL),
     ("minimum_film_thickness", marked("minimum film thickness"), "minimum_thickness", "m", _OIL),
-    ("film_parameter", marked("film parameter λ"), "film_parameter", "1", _ROUGH),
+    ("film_parameter", CALLED["film_parameter"], "film_parameter", "1", _ROUGH),
     ("entrainment_speed", marked("entrainment speed"), "entrainment_speed", "m/s", _OIL),
 )
 
@@ -41,7 +42,7 @@ def lubrication_outputs() -> tuple[Output, ...]:
         Output(
             "viscosity_ratio",
             "1",
-            lambda: said("viscosity ratio κ"),
+            lambda: called("viscosity_ratio"),
             _of_oil("viscosity_ratio"),
             needs=_OIL,
         ),
@@ -57,9 +58,9 @@ def lubrication_outputs() -> tuple[Output, ...]:
 
 def _of_contacts() -> Iterator[Output]:
     for race in RACES:
-        for name, called, attribute, unit, needs in _CONTACT:
+        for name, text, attribute, unit, needs in _CONTACT:
             get = _contact(race, attribute)
-            yield from family(f"{race}_{name}", unit, at_race(race, called), get, None, needs)
+            yield from family(f"{race}_{name}", unit, at_race(race, text), get, None, needs)
 
 
 def _film(solved: Solved) -> Film:

@@ -24,6 +24,7 @@ from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
 from rolamento.status import CONVERGED
 from rolamento.studies.outputs import OF, Along, Kind, Output
 from rolamento.words import marked, said
+from rolamento.words.quantities import CALLED, called
 
 __all__ = [
     "DEFAULT_OF_MACHINE",
@@ -112,7 +113,7 @@ def _of_all() -> tuple[Output, ...]:
             lambda: said("bearing that limits the life, counted from 0"),
             _weakest,
         ),
-        Output("friction_power", "W", lambda: said("friction power loss"), _power, slow=True),
+        Output("friction_power", "W", lambda: called("power"), _power, slow=True),
     )
 
 
@@ -160,7 +161,7 @@ def _of_each(described: _Described, names: tuple[str, ...], along: Along) -> Out
 
 
 def _of_bearings() -> Iterator[_Described]:
-    for base, unit, called, read in (
+    for base, unit, text, read in (
         ("radial_force", "N", marked("radial force"), lambda one: one.radial_force),
         ("axial_force", "N", marked("axial force"), lambda one: np.abs(one.force[:, 0])),
         (
@@ -169,10 +170,10 @@ def _of_bearings() -> Iterator[_Described]:
             marked("moment"),
             lambda one: np.hypot(one.force[:, 3], one.force[:, 4]),
         ),
-        ("ring_tilt", "rad", marked("tilt between the rings"), lambda one: one.tilt),
-        ("max_pressure", "Pa", marked("maximum contact pressure"), lambda one: one.max_pressure),
+        ("ring_tilt", "rad", CALLED["ring_tilt"], lambda one: one.tilt),
+        ("max_pressure", "Pa", CALLED["max_pressure"], lambda one: one.max_pressure),
     ):
-        yield base, unit, called, _of_bearing(read), "real"
+        yield base, unit, text, _of_bearing(read), "real"
     yield "bearing_life_hours", "h", marked("life"), _life, "real"
     yield "bearing_life_valid", "1", marked("life valid (1) or not (0)"), _valid, "whole"
     status = marked("how the solution ended")
@@ -180,13 +181,13 @@ def _of_bearings() -> Iterator[_Described]:
 
 
 def _of_shafts() -> Iterator[_Described]:
-    for base, unit, called, read in (
+    for base, unit, text, read in (
         ("shaft_deflection", "m", marked("deflection"), lambda one: one.deflection),
         ("shaft_slope", "rad", marked("slope"), lambda one: one.slope),
         ("shaft_bending_moment", "N*m", marked("bending moment"), lambda one: one.bending_moment),
         ("shaft_stress", "Pa", marked("nominal stress"), lambda one: one.stress),
     ):
-        yield base, unit, called, _of_shaft(read), "real"
+        yield base, unit, text, _of_shaft(read), "real"
 
 
 def _of_bearing(read: Callable[[SeatedBearing], FloatArray]) -> Of:

@@ -65,6 +65,7 @@ from rolamento.tasks.heat import balance_of
 from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS
 from rolamento.words import ENDLESS, in_unit, manner, marked, said
+from rolamento.words.quantities import called
 from rolamento.words.sentences.heat import PLACE_NAMES
 
 __all__ = ["PICTURES", "PictureKind", "described", "figures"]
@@ -227,7 +228,7 @@ def _film_parameter(cases: Cases) -> Picture:
 
     if not isfinite(greatest(parameter(one, race) for one in known for race in RACES)):
         return empty(said("λ needs the roughness of the surfaces."))
-    name = capitalised(said("film parameter λ"))
+    name = capitalised(called("film_parameter"))
     chart = over_azimuth(known, parameter, name, NONE, zero=True, least=True, most=_MOST_LINES)
     ends = [inf, *(max(regime.above, 0.0) for regime in regimes())]
     zones = tuple(
@@ -355,7 +356,7 @@ def _along_roller(cases: Cases) -> Picture:
             )  # fmt: skip
         label = roller_label(one.solved, roller)
         told[-1] = said("{values} ({roller})", values=told[-1], roller=label)
-    name = said("Maximum contact pressure")
+    name = capitalised(called("max_pressure"))
     solved = [one.solved for one, _ in chosen]
     marks = limit_marks(solved, 1e6 * greatest(line.y for line in lines))
     return picture(along_chart(lines, solved, name, listed(name, told), marks))
@@ -369,7 +370,7 @@ def _between_races(cases: Cases) -> Picture:
     charts = [between_chart(one, roller) for one, roller in chosen]
     half = rounded_up(max(abs(end) for chart in charts for end in chart.y.limits or ()))
     first = replace(charts[0], y=replace(charts[0].y, limits=(-half, half)))
-    told = "; ".join(chart.conclusion for chart in charts)
+    told = "; ".join(chart.says for chart in charts)
     exaggerated = said("Heights are many times exaggerated; the roller's body is cut.")
     return picture(first, *charts[1:], conclusion=f"{told}. {exaggerated}")
 
@@ -408,7 +409,7 @@ def _friction(cases: Cases) -> Picture:
         words = {"inner": said("heat, inner"), "outer": said("heat, outer")}
         bars = [(words[race], race_look(race), heat) for race, heat in by_race.items()]
     told = [one.named(_friction_told(own, torque)) for one, own in known]
-    title = said("Power loss") if turns else said("Friction torque")
+    title = capitalised(called("power")) if turns else capitalised(called("torque"))
     most = float(in_unit(max(max(own) for own in shown.values()), unit))
     places = tuple(range(len(names)))
     return picture(
@@ -486,7 +487,7 @@ def _life(cases: Cases) -> Picture:
     if not all(all(own.valid) for own in bars):
         told.append(said("Faint: the theory is not valid for this case."))
     ends = 10.0 ** limits[0], 10.0 ** limits[1]
-    across = Axis(unit="h", limits=ends, log=True, step=1.0, label=said("Life (h)"))
+    across = Axis(unit="h", limits=ends, log=True, step=1.0, name=said("Life"))
     if not turns:
         label = said("Life (10⁶ rev)")
         across = replace(across, unit="10⁶ rev", label=label)
@@ -562,7 +563,7 @@ def _frequencies(cases: Cases) -> Picture:
     top = rounded_up(1.03 * greatest(line.x for line in series))
     conclusion = said("Under load: {values}. Marks: the first {count} harmonics.",
                       values="; ".join(told), count=_HARMONICS)  # fmt: skip
-    across = Axis(unit="Hz", limits=(0.0, top), label=said("Frequency (Hz)"))
+    across = Axis(unit="Hz", limits=(0.0, top), name=said("Frequency"))
     return picture(
         Chart(tuple(series), across, Axis(categories=tuple(rows)), conclusion, marks=tuple(marks))
     )
@@ -684,7 +685,7 @@ def _temperatures_beside(states: Sequence[tuple[Analysed, HeatBalance]]) -> Pict
     return picture(
         Chart(
             tuple(bars),
-            Axis(unit="°C", limits=(0.0, top), label=said("Temperature (°C)")),
+            Axis(unit="°C", limits=(0.0, top), name=said("Temperature")),
             Axis(categories=tuple(names)),
             said("Heat balance: {values}.", values=told),
         )

@@ -25,7 +25,7 @@ from math import floor, inf, isfinite, log10, pi
 from string import Formatter
 from typing import Any, Final
 
-__all__ = ["ABSENT", "ENDLESS", "UNITS", "Manner", "aligned", "decimals_for", "in_unit", "unit_of"]
+__all__ = ["ABSENT", "ENDLESS", "UNITS", "Manner", "decimals_for", "in_unit", "unit_of"]
 
 ABSENT: Final = "–"
 """What stands for a number that does not exist."""
@@ -185,11 +185,6 @@ class Manner(Formatter):
         negative = value < 0.0 and any(digit in "123456789" for digit in text)
         return (_MINUS if negative else "") + grouped.replace(".", self.mark)
 
-    def whole(self, value: int) -> str:
-        """Write an integer of any size, all its digits, in groups as `fixed`."""
-        text = f"{abs(value):,}".replace(",", " " if abs(value) >= _SMALLEST_GROUPED else "")
-        return (_MINUS if value < 0 else "") + text
-
     def column(self, values: Sequence[float], digits: int = 5, most: int = 4) -> list[str]:
         """Write numbers that stand below each other, with the same decimals."""
         decimals = decimals_for(values, digits, most)
@@ -201,12 +196,6 @@ class Manner(Formatter):
             return ABSENT
         text = self.fixed(value, decimals_for([value], digits, most=9))
         return text.rstrip("0").rstrip(self.mark) if self.mark in text else text
-
-    def exponent(self, value: float, decimals: int = 1) -> str:
-        """Write one number by its order of magnitude."""
-        if not isfinite(value):
-            return ABSENT
-        return f"{value:.{decimals}e}".replace(".", self.mark)
 
     def significant(self, value: float, figures: int) -> str:
         """Write one number with so many figures, such as a life: no more are worth printing."""
@@ -243,7 +232,8 @@ class Manner(Formatter):
         elif form == "r":
             text = self.significant(scaled, int(digits))
         elif form == "e":
-            text = self.exponent(scaled, int(digits))
+            size = f"{scaled:.{digits}e}".replace(".", self.mark)
+            text = size if isfinite(scaled) else ABSENT
         elif form == "g" and isfinite(scaled):
             size = f"{abs(scaled):.{digits}g}".replace(".", self.mark)
             text = (_MINUS if scaled < 0.0 else "") + size
@@ -262,8 +252,9 @@ class Manner(Formatter):
             return ABSENT
         if isinstance(value, bool):
             return str(value)
-        if isinstance(value, int) and not format_spec:
-            return self.whole(value)
+        if isinstance(value, int) and not format_spec:  # of any size, with all its digits
+            text = f"{abs(value):,}".replace(",", " " if abs(value) >= _SMALLEST_GROUPED else "")
+            return (_MINUS if value < 0 else "") + text
         if isinstance(value, int | float):
             return self.number(float(value), format_spec)
         if hasattr(value, "tolist"):
@@ -274,14 +265,3 @@ class Manner(Formatter):
             items = [self.format_field(one, format_spec) for one in value[:MOST_ITEMS]]
             return ", ".join(items) + (" …" if len(value) > MOST_ITEMS else "")
         return str(value)
-
-
-def aligned(cells: Sequence[str], mark: str) -> list[str]:
-    """Pad numbers on the right so that their decimal marks fall below each other.
-
-    Numbers that are written by their order of magnitude stand on the right as they are.
-    """
-    tails = [
-        len(cell) - cell.index(mark) if mark in cell and "e" not in cell else 0 for cell in cells
-    ]
-    return [cell + " " * (max(tails) - tail) for cell, tail in zip(cells, tails, strict=True)]

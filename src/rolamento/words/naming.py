@@ -13,6 +13,7 @@ __all__ = [
     "by_element",
     "either",
     "listed",
+    "machine_title",
     "of_element",
     "one_line",
     "part_name",
@@ -107,6 +108,11 @@ def either(items: Iterable[str]) -> str:
     """Return names one after the other, the last two joined by "or"."""
     *rest, last = [*items] or [""]
     return said("{list} or {last}", list=", ".join(rest), last=last) if rest else last
+
+
+def machine_title(title: str) -> str:
+    """Return the title of a machine, or what one without is called."""
+    return title or said("Machine without a title")
 
 
 def one_line(text: str, longest: int = 200) -> str:

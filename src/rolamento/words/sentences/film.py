@@ -40,7 +40,7 @@ def _outside_hamrock_dowson(values: Mapping[str, Any]) -> str:
 def _short(value: float) -> str:
     """Write a number from 1e-12 to 1e4 in two figures."""
     plain = value == 0.0 or 1e-3 <= value < 1e5
-    return manner().short(value, 2) if plain else manner().exponent(value)
+    return manner().short(value, 2) if plain else manner().number(value, ".1e")
 
 
 SENTENCES: Final[dict[str, Sentence]] = {
