@@ -324,7 +324,7 @@ def test_tilt_stiffness_grows_with_the_square_of_the_distance_of_the_pressure_ce
     assert np.polyval([square, linear, constant], spacing) == pytest.approx(tilt, rel=1e-6)
     assert square == pytest.approx(0.25 * batch.stiffness.array[0, 2, 2], rel=1e-6)
     apart = 0.5 * linear / square
-    loaded = float(np.mean(batch.answer.rows[0].tables().inner.contact_angle[0]))
+    loaded = float(np.mean(batch.answer.rows[0].tables().inner.angle.value[0]))
     # the contacts' arm is the circle of the groove's centres, a little less than d_m / 2
     assert apart == pytest.approx(sign * 77.5e-3 * math.tan(loaded), rel=0.02)
     # what is left does not hang on the offsets: the rows' own bending, small

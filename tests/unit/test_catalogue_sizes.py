@@ -22,7 +22,7 @@ from rolamento import (
     solve,
 )
 from rolamento.case import case_to_json, case_to_toml
-from rolamento.case.case import _with_catalogue_sizes
+from rolamento.case.case import _with_catalogue_sizes, designation_of
 from rolamento.clearance import class_clearance, clearance_of_case
 from rolamento.life import conditions_of, life
 from rolamento.words import Note
@@ -123,19 +123,20 @@ def test_replenishment_gets_them_as_well() -> None:
     assert plain.film.bore is None
 
 
-@pytest.mark.parametrize(
-    "given", [{}, {"mounting": None}, {"mounting": 3}, {"mounting": {}, "bearing": None}]
-)
-def test_what_is_no_table_stays_as_it_is(given: dict[str, Any]) -> None:
-    assert _with_catalogue_sizes(given, in_file=True) == given
+@pytest.mark.parametrize("mounting", ["3", "[]", '"H7"'])
+def test_a_mounting_that_is_no_table_is_refused_as_such(mounting: str) -> None:
+    given = f'mounting = {mounting}\n[bearing]\ndesignation = "6305"\n[duty.load]\nfz = "1 kN"\n'
+    with pytest.raises(InputError, match="mounting = .*must be a table"):
+        parse_case(given)
 
 
 @pytest.mark.parametrize("designation", [6305, "6305"])
 def test_a_number_is_a_designation(designation: object) -> None:
     given = {"mounting": {}, "bearing": {"designation": designation}}
-    found = _with_catalogue_sizes(given, in_file=True)
-    assert found["mounting"] == {"bore": "25 mm", "outside_diameter": "62 mm"}
+    found = _with_catalogue_sizes(given, "6305")
+    assert found["mounting"] == {"bore": 0.025, "outside_diameter": 0.062}
     assert given["mounting"] == {}
+    assert designation_of(given["bearing"]) == "6305"
 
 
 def test_files_hold_them() -> None:
