@@ -262,8 +262,9 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
     def add_moving_ball(w: Array, b: Array, tolerance: float, loosely: float) -> None:
         """A ball in motion: its residual, its step, and the ring's view of it.
 
-        tolerance: of its residual, over its own greatest load; loosely: the same over the load of
-        its inner contact, the square of which its step leaves.
+        tolerance: of its residual, over its own greatest load; loosely: of what its step leaves
+        of that. Where a contact bends, the square of the residual over the load of the inner one;
+        where the step turns it, the square of the step over approach and groove's offset.
         """
         for i in range(N):
             a1, a2 = _groove_fast(w, b, i)
@@ -271,9 +272,10 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
                 w, b, i, a1, a2
             )
             r1, r2 = residual
-            allowed = max(tolerance * scale, loosely * touch[0])
-            w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
             q1, q2, w11, w12, w21, w22, z1, z2 = follow
+            near = q1 * q1 + q2 * q2 <= loosely * touch[3] * w[_L_O + i]
+            allowed = max(tolerance * tolerance * scale, loosely * touch[0] if near else 0.0)
+            w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * scale)
             b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
             b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, stiffness)

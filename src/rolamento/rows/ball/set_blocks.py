@@ -40,8 +40,10 @@ START_TOLERANCE: Final = 0.05  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
 BALANCED: Final = 1e-6
 """The same of a ring and its cages beside moving balls, whose steps decide."""
-PLACED: Final = 5e-6
-"""The same of a ball, over the load of its inner contact."""
+PLACED: Final = 5e-10
+"""Of a ball before it: the square of its residual, over its greatest load and its inner contact's.
+
+The step leaves a sixth of that, as Hertz's contacts bend, over the ball's greatest load."""
 SPRINGS: Final = 9
 """As many balls, evenly spread, stand for those of a row where a static start is looked for."""
 PRECISION: Final = 1e-10
