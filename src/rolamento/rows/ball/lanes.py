@@ -273,9 +273,10 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
             )
             r1, r2 = residual
             q1, q2, w11, w12, w21, w22, z1, z2 = follow
-            near = q1 * q1 + q2 * q2 <= loosely * touch[3] * w[_L_O + i]
-            allowed = max(tolerance * tolerance * scale, loosely * touch[0] if near else 0.0)
-            w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * scale)
+            square, allowed = r1 * r1 + r2 * r2, tolerance * scale
+            bends = square - loosely * scale * touch[0]
+            turns = q1 * q1 + q2 * q2 - loosely * w[_L_O + i] * touch[3]
+            w[_FAULT + i] = max(w[_FAULT + i], min(square - allowed * allowed, max(bends, turns)))
             b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
             b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, stiffness)

@@ -54,6 +54,8 @@ STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the rin
 
 _LANES: Final = layout.LANES
 _LEVER: Final = set_lanes.LEVER
+_LINE: Final = 8
+"""Numbers of a cache line."""
 
 
 class Rows(NamedTuple):
@@ -116,6 +118,13 @@ class Balance(NamedTuple):
     code: NDArray[np.int64]
 
 
+def _in_lanes(count: int, rows: int) -> Array:
+    """Workspaces of so many rows of lanes, (count, rows * lanes): no vector across cache lines."""
+    room = np.zeros(count * rows * _LANES + _LINE)
+    first = -(room.ctypes.data // room.itemsize) % _LINE
+    return room[first : first + count * rows * _LANES].reshape(count, rows * _LANES)
+
+
 class Work(NamedTuple):
     """What the kernel works with; it makes no arrays of its own.
 
@@ -146,14 +155,14 @@ class Work(NamedTuple):
     @classmethod
     def of(cls, rows: int, balls: int, springs: int, parameters: int) -> Work:
         """Make room for rows of so many balls and springs in all, of so many parameters each."""
-        w = np.zeros((rows, layout.RING_ROWS * _LANES))
+        w = _in_lanes(rows, layout.RING_ROWS)
         return cls(
-            s=np.zeros(set_lanes.SET_ROWS * _LANES),
-            v=np.zeros((rows, STAND_ROWS * _LANES)),
+            s=_in_lanes(1, set_lanes.SET_ROWS)[0],
+            v=_in_lanes(rows, STAND_ROWS),
             w=w,
             rings=w.reshape(rows, layout.RING_ROWS, _LANES),
-            b=np.zeros((balls, layout.BALL_ROWS * _LANES)),
-            springs=np.zeros((springs, layout.BALL_ROWS * _LANES)),
+            b=_in_lanes(balls, layout.BALL_ROWS),
+            springs=_in_lanes(springs, layout.BALL_ROWS),
             holds=np.zeros(_LANES, np.int64),
             steps=np.zeros(_LANES, np.int64),
             column=np.zeros((parameters, 1)),
@@ -161,7 +170,7 @@ class Work(NamedTuple):
             ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
-            contacts=np.zeros(6 * _LANES),
+            contacts=_in_lanes(1, 6)[0],
             accepted=np.zeros((rows, _LANES), np.bool_),
         )
 
