@@ -23,7 +23,6 @@ from rolamento.rows.ball.blocks import (
     put_position,
     put_reaction,
     read_position,
-    read_reaction,
     worst_in_lane,
 )
 from rolamento.rows.ball.mirror import Mirror, mirror
@@ -34,7 +33,7 @@ from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADE
 from rolamento.status import TOLERANCE as TOLERANCE_OF_ROWS
 
 STATIC_STEPS: Final = 16
-START_STEPS: Final = 6  # of a static start for moving balls
+START_STEPS: Final = 5  # of a static start for moving balls
 MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 0.05  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
@@ -100,7 +99,7 @@ class Balance(NamedTuple):
     residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
     (cases, balls, 2).
     Of the rows: displacement, scaled, reaction (rows, cases, 5), cage, row_residual, code (rows,
-    cases), row_stiffness (rows, cases, 5, 5).
+    cases).
     """
 
     place: Array
@@ -112,7 +111,6 @@ class Balance(NamedTuple):
     position: Array
     displacement: Array
     reaction: Array
-    row_stiffness: Array
     cage: Array
     row_residual: Array
     code: NDArray[np.int64]
@@ -547,7 +545,10 @@ def _judge(
         for row in range(w.shape[0]):
             code = found.code[row, case]
             sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-            read_reaction(w[row], lane, found.reaction[row, case], found.row_stiffness[row, case])
+            own_arm = w[row, layout.ARM * _LANES + lane]
+            for i in range(layout.DEGREES_OF_FREEDOM):
+                reaction = w[row, (layout.REACTION + i) * _LANES + lane]
+                found.reaction[row, case, i] = _arm_of(i, own_arm) * reaction
         arm, place = asked.arm[block + lane], found.place[case]
         force, stiffness = found.force[case], found.stiffness[case]
         for i in range(UNKNOWNS):

@@ -133,7 +133,6 @@ class _Run:
             position=np.empty((n, balls, 2)),
             displacement=np.empty((count, n, five)),
             reaction=np.empty((count, n, five)),
-            row_stiffness=np.empty((count, n, five, five)),
             cage=np.full((count, n), np.nan),
             row_residual=np.full((count, n), np.nan),
             code=np.full((count, n), status.INVALID_INPUT),
@@ -185,7 +184,7 @@ class _Run:
         lost = np.flatnonzero(found.steps == 0)
         for array in (found.place, found.force, found.stiffness, found.position):
             array[lost] = np.nan
-        for array in (found.displacement, found.reaction, found.row_stiffness):
+        for array in (found.displacement, found.reaction):
             array[:, lost] = np.nan
         return Proposal(
             place=found.place,
@@ -199,6 +198,7 @@ class _Run:
 
     def _held(self) -> Iterator[BallResponse]:
         found, n = self.found, len(self.found.steps)
+        five = layout.DEGREES_OF_FREEDOM
         for row, (p, a, z) in enumerate(
             zip(self.columns, self._ends[:-1], self._ends[1:], strict=True)
         ):
@@ -207,7 +207,7 @@ class _Run:
                 cage=found.cage[row],
                 position=found.position[:, a:z],
                 force=found.reaction[row],
-                stiffness=found.row_stiffness[row],
+                stiffness=np.broadcast_to(np.nan, (n, five, five)),  # only the ring's is asked for
                 residual=found.row_residual[row],
                 number=found.code[row],
                 unsupported=np.full(n, -1),
