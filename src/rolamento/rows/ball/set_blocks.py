@@ -17,12 +17,15 @@ from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import is_finite, judge
 from rolamento.rows.ball.blocks import (
     begin_lane,
+    in_lanes,
     put_ball,
     put_displacement,
     put_numbers,
     put_position,
     put_reaction,
     read_position,
+    read_reaction,
+    read_stiffness,
     worst_in_lane,
 )
 from rolamento.rows.ball.mirror import Mirror, mirror
@@ -39,10 +42,6 @@ START_TOLERANCE: Final = 0.05  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
 BALANCED: Final = 1e-6
 """The same of a ring and its cages beside moving balls, whose steps decide."""
-PLACED: Final = 5e-10
-"""Of a ball before it: the square of its residual, over its greatest load and its inner contact's.
-
-The step leaves a sixth of that, as Hertz's contacts bend, over the ball's greatest load."""
 SPRINGS: Final = 9
 """As many balls, evenly spread, stand for those of a row where a static start is looked for."""
 PRECISION: Final = 1e-10
@@ -53,8 +52,6 @@ STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the rin
 
 _LANES: Final = layout.LANES
 _LEVER: Final = set_lanes.LEVER
-_LINE: Final = 8
-"""Numbers of a cache line."""
 
 
 class Rows(NamedTuple):
@@ -99,7 +96,7 @@ class Balance(NamedTuple):
     residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
     (cases, balls, 2).
     Of the rows: displacement, scaled, reaction (rows, cases, 5), cage, row_residual, code (rows,
-    cases).
+    cases), row_stiffness (rows, cases, 5, 5), or (rows, 0, 5, 5) where nobody asks for it.
     """
 
     place: Array
@@ -111,16 +108,10 @@ class Balance(NamedTuple):
     position: Array
     displacement: Array
     reaction: Array
+    row_stiffness: Array
     cage: Array
     row_residual: Array
     code: NDArray[np.int64]
-
-
-def _in_lanes(count: int, rows: int) -> Array:
-    """Workspaces of so many rows of lanes, (count, rows * lanes): no vector across cache lines."""
-    room = np.zeros(count * rows * _LANES + _LINE)
-    first = -(room.ctypes.data // room.itemsize) % _LINE
-    return room[first : first + count * rows * _LANES].reshape(count, rows * _LANES)
 
 
 class Work(NamedTuple):
@@ -153,14 +144,14 @@ class Work(NamedTuple):
     @classmethod
     def of(cls, rows: int, balls: int, springs: int, parameters: int) -> Work:
         """Make room for rows of so many balls and springs in all, of so many parameters each."""
-        w = _in_lanes(rows, layout.RING_ROWS)
+        w = in_lanes(rows, layout.RING_ROWS)
         return cls(
-            s=_in_lanes(1, set_lanes.SET_ROWS)[0],
-            v=_in_lanes(rows, STAND_ROWS),
+            s=in_lanes(1, set_lanes.SET_ROWS)[0],
+            v=in_lanes(rows, STAND_ROWS),
             w=w,
             rings=w.reshape(rows, layout.RING_ROWS, _LANES),
-            b=_in_lanes(balls, layout.BALL_ROWS),
-            springs=_in_lanes(springs, layout.BALL_ROWS),
+            b=in_lanes(balls, layout.BALL_ROWS),
+            springs=in_lanes(springs, layout.BALL_ROWS),
             holds=np.zeros(_LANES, np.int64),
             steps=np.zeros(_LANES, np.int64),
             column=np.zeros((parameters, 1)),
@@ -168,7 +159,7 @@ class Work(NamedTuple):
             ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
-            contacts=_in_lanes(1, 6)[0],
+            contacts=in_lanes(1, 6)[0],
             accepted=np.zeros((rows, _LANES), np.bool_),
         )
 
@@ -396,7 +387,7 @@ def _settle_moving(
         for row in range(w.shape[0]):
             lanes.reset_sums(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
-                lanes.add_moving_ball(w[row], b[j], TOLERANCE, PLACED)
+                lanes.add_moving_ball(w[row], b[j], TOLERANCE)
             lanes.measure_cage(w[row])
             lanes.condense_cage(w[row])
             set_lanes.add_row(s, v[row], w[row])
@@ -432,7 +423,7 @@ def _settle_moving(
 
 
 @filling
-def _judge_in_lanes(
+def _judgein_lanes(
     work: Work, rows: Rows, block: int, chosen: NDArray[np.int64], found: Balance
 ) -> None:
     """Judge the rows of as many cases as there are lanes, with inertia, as `blocks` judges one row.
@@ -526,7 +517,7 @@ def _judge(
             work.accepted[row, lane] = False
             found.code[row, case] = NOT_CONVERGED
     if moving:
-        _judge_in_lanes(work, rows, block, chosen, found)
+        _judgein_lanes(work, rows, block, chosen, found)
     for lane in range(count):
         case = chosen[block + lane]
         for row in range(w.shape[0]):
@@ -545,10 +536,9 @@ def _judge(
         for row in range(w.shape[0]):
             code = found.code[row, case]
             sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-            own_arm = w[row, layout.ARM * _LANES + lane]
-            for i in range(layout.DEGREES_OF_FREEDOM):
-                reaction = w[row, (layout.REACTION + i) * _LANES + lane]
-                found.reaction[row, case, i] = _arm_of(i, own_arm) * reaction
+            read_reaction(w[row], lane, found.reaction[row, case])
+            if found.row_stiffness.shape[1] > 0:
+                read_stiffness(w[row], lane, found.row_stiffness[row, case])
         arm, place = asked.arm[block + lane], found.place[case]
         force, stiffness = found.force[case], found.stiffness[case]
         for i in range(UNKNOWNS):
