@@ -122,7 +122,7 @@ SHORT_STEP: Final = 0.25
 LEAST_PRESSED: Final = 0.1
 """Fraction of the approach under its own centrifugal force, at the outer race: no ball is pressed
 less."""
-PLACED: Final = 5e-10
+PLACED: Final = 3e-10
 """Of a ball in a set that is near enough for its last step: what that leaves, over its greatest
 load, is less."""
 DRIVE: Final = -1e-30
