@@ -186,7 +186,7 @@ def seen_by_row(way: float, lever: FloatArray) -> FloatArray:
 
 def seen_by_ring(way: float, lever: FloatArray, force: FloatArray) -> FloatArray:
     """T' f: forces on the row in its own frame as the inner node puts them; (cases, ..., 5)."""
-    seen = force * np.array([way, 1.0, 1.0, way, way]) + 0.0  # no -0.0
+    seen: FloatArray = force * np.array([way, 1.0, 1.0, way, way]) + 0.0  # no -0.0
     arm = lever.reshape(len(lever), *(1 for _ in force.shape[2:]))
     seen[..., 3] -= arm * force[..., 2]
     seen[..., 4] += arm * force[..., 1]
