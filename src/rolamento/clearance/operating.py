@@ -11,6 +11,7 @@ tightest fits. `sample_clearance` draws the tolerances independently instead.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from math import acos, tan
 from typing import Any, Final, Literal, NamedTuple
 
@@ -21,6 +22,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
+from rolamento.case.temperature import Temperature
 from rolamento.clearance.chain import (
     Assembly,
     Chain,
@@ -234,12 +236,26 @@ def clearance_of_case(case: Case) -> OperatingClearance:
             field="mounting",
             example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
         )
+    speeds = case.duty.inner_speed, case.duty.outer_speed
+    given = frozenset(case.bearing.model_fields_set)
+    return _clearance_of(case.bearing, given, case.mounting, case.temperature, *speeds)
+
+
+@lru_cache(maxsize=256)
+def _clearance_of(
+    bearing: Bearing | RollerBearing,
+    given: frozenset[str],
+    mounting: Mounting,
+    temperature: Temperature | None,
+    inner_speed: float,
+    outer_speed: float,
+) -> OperatingClearance:
+    """Found once: what solves a case asks, then what shows it, and the next of another load.
+
+    given: the user's own fields, which bearings that are equal may differ in.
+    """
     return operating_clearance(
-        case.bearing,
-        case.mounting,
-        case.temperature,
-        inner_speed=case.duty.inner_speed,
-        outer_speed=case.duty.outer_speed,
+        bearing, mounting, temperature, inner_speed=inner_speed, outer_speed=outer_speed
     )
 
 
