@@ -38,7 +38,8 @@ def numbers(value: ArrayLike | None, field: str, example: str = "") -> FloatArra
     InputError
         If it is neither a number nor a list, an array or a series of them: text and tables are not.
     """
-    if type(value) is float or (type(value) is np.ndarray and value.dtype == np.float64):
+    kind: type = type(value)
+    if kind is float or (kind is np.ndarray and getattr(value, "dtype", None) == np.float64):
         return np.asarray(value)  # most of what comes: plain numbers, of which none is masked
     try:
         given = value if isinstance(value, np.ndarray) else np.asarray(value)

@@ -534,16 +534,15 @@ def _shown(cell: str | doc.Number) -> str:
 
 def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, doc.Tone]:
     """What a row of the summary is held against: the limit, the share of it, the tone."""
-    checks = {check.name: check for check in case.checks}
     value = row.number(case)
     if row.path == "extremes.max_pressure" and value is not None:
-        known = [one.high for name, one in checks.items() if name.endswith("pressure")]
+        known = [check.high for check in case.checks if check.name.endswith("pressure")]
         least = min((one for one in known if one is not None), default=nan)
         if not least > 0.0:
             return "", None, ""
         return said("of {limit:.4 MPa}", limit=least), value / least, "bad" if value > least else ""
-    if row.path == "extremes.load_ratio" and "load" in checks and value is not None:
-        high = checks["load"].high
+    if row.path == "extremes.load_ratio" and value is not None:
+        high = next((check.high for check in case.checks if check.name == "load"), None)
         if high:
             return (
                 said("at least {limit:.3}", limit=1.0 / high),

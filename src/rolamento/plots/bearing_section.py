@@ -56,6 +56,9 @@ _ENDS: Final = 0.57
 _DEEPEST: Final = 0.05
 """Depth of a profile on the drawing, over the roller's diameter."""
 _ARC: Final = 25
+_CIRCLE: Final = tuple(
+    (cos(a), sin(a)) for a in np.linspace(0.0, 2.0 * pi, 2 * _ARC, endpoint=False).tolist()
+)
 _LITTLE: Final = 0.01
 """Part of the greatest load below which an element counts as not loaded."""
 _TOP, _BOTTOM = 0.0, pi
@@ -375,9 +378,8 @@ class _Drawer:
     def _element(self, row: _Row, side: float) -> None:
         kind = "loaded" if self._load(row, side) > 0.0 else "element"
         if not row.kind.has_rollers:
-            turn = np.linspace(0.0, 2.0 * pi, 2 * _ARC, endpoint=False).tolist()
-            self._add(kind, [(row.x + 0.5 * row.size * cos(a), row.radius + 0.5 * row.size * sin(a))
-                             for a in turn], side)  # fmt: skip
+            half, radius = 0.5 * row.size, row.radius
+            self._add(kind, [(row.x + half * x, radius + half * y) for x, y in _CIRCLE], side)
             return
         halves, self.deeper = _profiled(row)
         above = [_turned(row, u, half) for u, half in halves]
