@@ -124,7 +124,11 @@ def within(
         If one is outside.
     """
     array = numbers(value, field, example)
-    if array.size and least < array.min() and array.max() <= most:
+    if array.size == 1:
+        inside = least < array.item() <= most
+    else:
+        inside = array.size > 1 and least < array.min() and array.max() <= most
+    if inside:
         return array
     outside = (array < least if least_too else array <= least) | (array > most)
     if not nan_too:
