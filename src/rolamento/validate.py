@@ -80,6 +80,8 @@ def positive(
         If one is not.
     """
     array = numbers(value, field)
+    if array.size == 1 and 0.0 < array.item() < inf:
+        return array
     wrong = array < 0.0 if zero else array <= 0.0
     if finite:
         wrong = wrong | ~np.isfinite(array)
