@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import textwrap
 from pathlib import Path
-from typing import Any
 
 import pytest
 from tests.one_case import said
@@ -126,7 +125,7 @@ def test_replenishment_gets_them_as_well() -> None:
 @pytest.mark.parametrize("mounting", ["3", "[]", '"H7"'])
 def test_a_mounting_that_is_no_table_is_refused_as_such(mounting: str) -> None:
     given = f'mounting = {mounting}\n[bearing]\ndesignation = "6305"\n[duty.load]\nfz = "1 kN"\n'
-    with pytest.raises(InputError, match="mounting = .*must be a table"):
+    with pytest.raises(InputError, match=r"mounting = .*must be a table"):
         parse_case(given)
 
 
