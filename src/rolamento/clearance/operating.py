@@ -293,7 +293,9 @@ def operating_case(case: Case) -> Case:
     running = _running(_Mounted.of(case, case.mounting))
     warm = case.temperature
     of_bearing = None if warm is None else warm.of_bearing
-    return case.replace(bearing=running, mounting=None, temperature=of_bearing)
+    # of parts that are valid, and agreed with each other as they were delivered
+    parts = {"bearing": running, "mounting": None, "temperature": of_bearing}
+    return case.model_copy(update=parts)
 
 
 def _at_limits(band: Any) -> Any:
