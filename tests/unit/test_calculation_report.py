@@ -36,6 +36,7 @@ from rolamento.words import in_unit, manner, speaking
 
 EXAMPLES = Path(str(EXAMPLE)).parent
 OVERLOADED = "duty.load.fz=9000 kN"
+LIVES = ("10⁶ rev", "h")
 _LIMITS = ("minimum", "mean", "maximum")
 
 
@@ -98,6 +99,10 @@ def numbers_with_paths(page: Document, written: dict[str, Any]) -> list[tuple[fl
                 else:
                     case = cases[table.key.rpartition("_")[2]]
                     held = at(case, str(path))
+                    if column.unit in LIVES:
+                        own = in_unit(own, column.unit)
+                    if isinstance(held, dict) and key in held.get("factors", {}):
+                        held = held["factors"]
                     place = _LIMITS.index(key) if isinstance(held, list) else None
                     found.append((own, at(held, key) if place is None else held[place]))
     return found
@@ -419,6 +424,8 @@ def rows_of(page: Document, lang: str) -> list[list[str]]:
                 if column.only_in_files:
                     continue
                 value = column.values[row]
+                if isinstance(value, float):
+                    value = Number(value, column.form)
                 if isinstance(value, Number):
                     with speaking(lang):
                         value = manner().number(value.value, value.form)

@@ -313,9 +313,9 @@ class TestToFile:
         with pytest.raises(Interrupted):
             run_to_file(study, path, chunk=7, progress=self.stop_after(2))
         other = study.replace(seed=4)
-        with pytest.raises(FileError, match="--restart"):
+        with pytest.raises(FileError, match="restart"):
             run_to_file(other, path, chunk=7)
-        with pytest.raises(FileError, match="--restart"):
+        with pytest.raises(FileError, match="restart"):
             run_to_file(study, path, chunk=8)
         run_to_file(other, path, chunk=7, restart=True)
         assert load_result(path).attrs["seed"] == 4
@@ -400,7 +400,7 @@ class TestToFile:
         folder.mkdir()
         for text in ("", "[" * 5000, json.dumps({"format": 9})):
             (folder / "manifest.json").write_text(text)
-            with pytest.raises(FileError, match="--restart"):
+            with pytest.raises(FileError, match="restart"):
                 run_to_file(study, self.file(tmp_path))
 
     @pytest.mark.parametrize("name", ["result", "result.txt", "no/result.nc"])

@@ -239,15 +239,16 @@ def _places_of_balls(figure: Figure, shown: Positions) -> Chart:
     wide, far = np.full(len(azimuth), ball), radius + 2.0 * ball
     sides: list[Side] = ["on"] * len(azimuth)
     on = tuple(sides)
-    angles = (localised(f"{angle:.1f}".removesuffix(".0")) + "°" for angle in azimuth)
+    angles = tuple(localised(f"{angle:.1f}".removesuffix(".0")) + "°" for angle in azimuth)
+    names = tuple(f"{number:.0f}" for number in numbers)
     tip, foot = np.array([0.45 * radius]), np.zeros(1)
     reach = (-radius - 2.7 * ball, radius + 2.7 * ball)
     return Chart(
         (
             *circles,
             Ellipses(radius * sine, radius * cosine, wide, wide, "", Look("grey"), filled=False),
-            Labels(radius * sine, radius * cosine, tuple(f"{n:.0f}" for n in numbers), on),
-            Labels(far * sine, far * cosine, tuple(angles), on),
+            Labels(radius * sine, radius * cosine, names, on),
+            Labels(far * sine, far * cosine, angles, on),
             Drawn(np.append(foot, foot), np.append(foot, tip), "", _INK),
             Drawn(np.append(foot, tip), np.append(foot, foot), "", _INK),
             Drawn(foot, tip, "", Look("ink", mark="triangle-up"), "points"),
@@ -257,6 +258,7 @@ def _places_of_balls(figure: Figure, shown: Positions) -> Chart:
         Axis(limits=reach, hidden=True),
         Axis(limits=reach, hidden=True, equal=True),
         title=str(figure.caption),
+        conclusion=", ".join(map(" ".join, zip(names, angles, strict=True))),
         outlines=True,
         symbols=True,
     )

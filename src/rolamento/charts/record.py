@@ -383,7 +383,7 @@ class Chart:
         if wide:  # lines lie over them
             return "; ".join(filter(None, (one.reading(self.x, self.y) for one in wide)))
         drawn = [(one.name, one.x, one.y) for one in self.lines if one.on_the_scale]
-        return courses(drawn, self.x, self.y)
+        return courses(drawn, self.x, self.y) or (said("No result") if drawn else "")
 
     @property
     def alternative(self) -> str:

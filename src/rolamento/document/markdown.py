@@ -163,8 +163,8 @@ def _table(block: Table) -> str:
     columns = [column for column in shown(block) if not column.bar]
     heads, sides, texts = [], [], []
     for column in columns:
-        unit = f" [{column.unit}]" if column.unit and not block.headless else ""
-        heads.append("" if block.headless else _line(f"{column.head}{unit}"))
+        unit = f"[{column.unit}]" if column.unit and column.head else column.unit
+        heads.append("" if block.headless else _line(f"{column.head} {unit}".strip()))
         sides.append(":---" if stands_left(column) else "---:")
         tones = column.tones or [column.tone] * len(column.values)
         texts.append(

@@ -48,6 +48,7 @@ __all__ = [
     "remarks",
     "required_sentence",
     "theories_section",
+    "theory_table",
     "validity_section",
     "verdict",
 ]
@@ -509,10 +510,21 @@ def formulas_only() -> str:
 
 
 def theories_section(summary: LifeSummary) -> doc.Section:
-    """Set the theories side by side: lives, factors, and whether each is valid for the case."""
+    """Set the theories side by side, and say for what reliability."""
+    legend = doc.Statement(_legend(summary), "faint", indent=2)
+    blocks = (theory_table(summary, "theories"), *_conditions(summary), legend)
+    return doc.Section(said("Life by theory"), blocks, "theories")
+
+
+def _chosen(summary: LifeSummary) -> Life | None:
+    """The most complete of the valid theories, if one leads."""
     leading = summary.headline
-    chosen = summary.theories.get(str(leading.theory[0])) if leading.leads[0] else None
-    lives = list(summary.theories.values())
+    return summary.theories.get(str(leading.theory[0])) if leading.leads[0] else None
+
+
+def theory_table(summary: LifeSummary, name: str) -> doc.Table:
+    """Set the theories side by side: lives, factors, and whether each is valid for the case."""
+    chosen, lives = _chosen(summary), list(summary.theories.values())
     tones: list[doc.Tone] = [
         "strong" if life is chosen else "" if life.valid[0] or life.below[0] else "faint"
         for life in lives
@@ -536,10 +548,7 @@ def theories_section(summary: LifeSummary) -> doc.Section:
             tones=["good" if valid else "warning" for valid, _ in judged],
         )
     )
-    table = doc.Table(tuple(columns), "theories", fixed=2, units="behind", indent=0)
-    legend = doc.Statement(_legend(lives, chosen is not None), "faint", indent=2)
-    blocks = (table, *_conditions(summary), legend)
-    return doc.Section(said("Life by theory"), blocks, "theories")
+    return doc.Table(tuple(columns), name, fixed=2, units="behind", indent=0)
 
 
 def life_columns(
@@ -576,12 +585,13 @@ def _conditions(summary: LifeSummary) -> list[doc.Block]:
     return [doc.Statement(", ".join(known), indent=2)] if known else []
 
 
-def _legend(lives: Sequence[Life], leads: bool) -> str:
+def _legend(summary: LifeSummary) -> str:
+    lives = list(summary.theories.values())
     reliability = said("for {reliability:.7 %} reliability", reliability=lives[0].reliability)
     parts = [reliability]
     if any(life.below[0] for life in lives):
         parts.append(said("bound: the life is below the number"))
-    if leads:
+    if _chosen(summary) is not None:
         parts.append(said("▸ most complete valid theory"))
     return "; ".join(parts)
 

@@ -28,7 +28,7 @@ from rolamento.pages.film import FILMS
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import SOURCES, power_unit, source_name, torque_unit
 from rolamento.pages.given import no_load_text, title_of
-from rolamento.pages.life import FACTORS, LONGEST_LIFE, hours_text, rating_source, verdict
+from rolamento.pages.life import LONGEST_LIFE, hours_text, rating_source, theory_table, verdict
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.pages.static import static_sections
@@ -44,7 +44,7 @@ from rolamento.words.theories import theory_name
 if TYPE_CHECKING:
     from rolamento.friction import Friction
     from rolamento.geometry import Race
-    from rolamento.life import Life
+    from rolamento.life import Life, LifeSummary
     from rolamento.numerics import FloatArray
     from rolamento.solved import Preloading, Solved
     from rolamento.tasks.report import CaseReport, Input, Report
@@ -1037,8 +1037,9 @@ def _lives(report: Report) -> list[doc.Table | doc.Statement]:
     ]
     if not theories:
         return []
-    if len(report.cases) == 1:
-        return [_theory_table(report.cases[0], theories)]
+    own = report.cases[0].analysis.life
+    if len(report.cases) == 1 and own is not None:
+        return [_theory_table(report.cases[0], own)]
     groups: list[_Group] = []
     for name in theories:
         rows = [
@@ -1132,57 +1133,22 @@ def _life_legends() -> tuple[str, ...]:
     )
 
 
-def _theory_table(case: CaseReport, theories: Sequence[str]) -> doc.Table:
-    """The theories of one case side by side, with their factors."""
-    base = "analysis.life.theories"
-    leading = _chosen(case)
-    tones: list[doc.Tone] = [
-        "strong" if name == leading else "" if _verdict(case, name) != said("no") else "faint"
-        for name in theories
-    ]
-    columns = [doc.Column(said("theory"), list(map(theory_name, theories)), "theory", tones=tones)]
-    lives = [own for name in theories if (own := _own_life(case, name)) is not None]
-    millions = [q.number_of(own.life) for own in lives]
-    cells: list[doc.CellContent] = [
-        doc.Number(nan) if own is None else doc.Number(own, ".2e" if own >= 1e6 else ".4r")
-        for own in millions
-    ]
-    columns.append(doc.Column("10⁶ rev", cells, "life", align="right", tones=tones))
-    columns.append(
-        doc.Column("h", [_hours_cell(own) for own in lives], "hours", align="right", tones=tones)
-    )
-    for head, name in FACTORS:
-        found = [q.number_of(own.factors[name]) if name in own.factors else None for own in lives]
-        if any(own is not None for own in found):
-            cells = [None if own is None else doc.Number(own, ".3") for own in found]
-            columns.append(doc.Column(head, cells, f"factors.{name}", align="right", tones=tones))
-    columns.append(
-        doc.Column(
-            said("valid here"), [_verdict(case, name) for name in theories], "valid", tones=tones
-        )
-    )
-    columns.append(
-        doc.Column("path", [f"{base}.{name}" for name in theories], "path", only_in_files=True)
-    )
-    reliability = lives[0].reliability
+def _theory_table(case: CaseReport, life: LifeSummary) -> doc.Table:
+    """The theories of one case side by side, as the page of its life has them."""
+    table = theory_table(life, f"lives_{case.name}")
+    paths = [f"analysis.life.theories.{name}" for name in life.theories]
     legends = (
         said("Lives for {reliability:.6 %} reliability; the governing one in bold.",
-             reliability=reliability),
+             reliability=float(life.headline.reliability)),
         *_life_legends(),
     )  # fmt: skip
-    return doc.Table(tuple(columns), f"lives_{case.name}", legends=legends, rule=True)
-
-
-def _chosen(case: CaseReport) -> str:
-    life = case.analysis.life
-    return "" if life is None or not life.headline.leads[0] else str(life.headline.theory[0])
-
-
-def _hours_cell(own: Life) -> doc.CellContent:
-    hours = q.number_of(own.hours)
-    if hours is None:
-        return said("no fatigue limit reached") if float(own.life[0]) == inf else doc.Number(nan)
-    return hours_text(hours) if hours > LONGEST_LIFE else doc.Number(hours, ".4r")
+    _, theories, *numbers = table.columns  # the governing one is in bold, and so without its mark
+    columns = (
+        replace(theories, head=said("theory")),
+        *numbers,
+        doc.Column("path", paths, "path", only_in_files=True),
+    )
+    return replace(table, columns=columns, fixed=1, legends=legends, rule=True)
 
 
 def _verdict(case: CaseReport, theory: str) -> str:

@@ -24,7 +24,7 @@ The first ball is on the z axis in the first two, x-z and x-y, and half a pitch 
 other two, the same planes.
 """
 _ROUNDING: Final = 4e-16
-"""Of the cosine and sine of an azimuth."""
+"""Rounding of the cosine and sine of an azimuth."""
 
 
 class Mirror(NamedTuple):
