@@ -98,7 +98,7 @@ def test_moving_balls(code: Code, filled: tuple[np.ndarray, ...]) -> None:
         code(lanes.place_ball)(w, ball)
     code(lanes.reset_sums)(w)
     for ball in b:
-        code(lanes.add_moving_ball)(w, ball, 1e-6, 0.0)
+        code(lanes.add_moving_ball)(w, ball, 1e-6)
     for lane in range(N):
         pieces, drives = [], []
         for j in range(BALLS):
@@ -174,7 +174,7 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
         code(lanes.place_ball)(w, ball)
     code(lanes.reset_sums)(w)
     for ball in b:
-        code(lanes.add_moving_ball)(w, ball, 1e-6, 0.0)
+        code(lanes.add_moving_ball)(w, ball, 1e-6)
     code(lanes.step_ring)(w)
     before = b.copy()
     for ball in b:
@@ -220,6 +220,46 @@ def test_steps_of_its_own_bring_a_ball_to_rest(filled: tuple[np.ndarray, ...]) -
     assert middle[3] < middle[2] ** 1.4
     assert middle[4] < middle[3] ** 1.7
     assert np.mean(off[1] <= off[0]) > 0.9
+
+
+@np.errstate(all="ignore")  # what compiled code divides by zero stays where it is
+def test_a_ball_is_near_enough_where_its_step_leaves_next_to_nothing(
+    filled: tuple[np.ndarray, ...],
+) -> None:
+    """Balls pushed out of their places, some too far."""
+    p, cosines, sines, control, u, w, b = filled
+    rng = np.random.default_rng(7)
+
+    def residual(lane: int, j: int) -> float:
+        a1, a2 = groove(p, lane, u[lane], *direction(p, lane, cosines[j], sines[j]))
+        place, cage = row(b[j], layout.POSITION, lane, 2), row(w, layout.CAGE, lane)[0]
+        missing, _, _, _, scale, *_ = linearised(
+            p, lane, cage, control[lane, j], a1, a2, place[0], place[1]
+        )
+        return float(np.hypot(*missing) / scale)
+
+    before, after = [], []
+    for ball in b:
+        lanes.place_ball(w, ball)
+        for _ in range(8):
+            lanes.settle_ball(w, ball)
+    for j, ball in enumerate(b):
+        push = p[layout.OUTER_LENGTH] * 10.0 ** rng.uniform(-8.0, -4.0, N)
+        turn = rng.uniform(0.0, 2.0 * np.pi, N)
+        ball[layout.POSITION * N : (layout.POSITION + 2) * N] += np.concatenate(
+            [push * np.cos(turn), push * np.sin(turn)]
+        )
+        fault = w[layout.FAULT * N : (layout.FAULT + 1) * N]
+        fault[:] = -np.inf
+        lanes.add_moving_ball(w, ball, 1e-8)
+        near = np.flatnonzero(fault <= 0.0)
+        pushed = [residual(lane, j) for lane in range(N)]
+        lanes.settle_ball(w, ball)
+        before += [pushed[lane] for lane in near]
+        after += [residual(lane, j) for lane in near]
+    assert max(before) > 1e-6
+    assert max(after) < 1e-9
+    assert len(before) > 50
 
 
 @pytest.mark.parametrize(
