@@ -43,7 +43,7 @@ def test_search_finds_nothing() -> None:
 def test_show_tells_that_the_inside_is_inferred() -> None:
     result = run("show", "6305-2RS/C3")
     assert result.exit_code == 0
-    assert "inferred from C, C0, f0, not published" in result.stdout
+    assert "inferred from C, C_0, f_0, not published" in result.stdout
     assert re.search(r"10\.319 +mm +inferred +13/32 in", result.stdout)
     assert "clearance class C3" in result.stdout
     assert "2RS: contact seals on both sides" in result.stdout

@@ -807,6 +807,21 @@ def test_a_process_looks_for_no_plugins_of_pydantic() -> None:
     assert done.stdout.endswith("False\n")
 
 
+def test_a_program_that_fails_after_a_command_has_failed(tmp_path: Path) -> None:
+    """It may have caught how the command ended; what it has not yet written is not lost."""
+    code = (
+        "import sys; from rolamento.cli import main\n"
+        "log, sys.argv = open('log', 'w'), ['rolamento', '--version']\n"
+        "try: main()\n"
+        "except SystemExit: pass\n"
+        "log.write('kept')\n"
+        "raise RuntimeError"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, cwd=tmp_path)
+    assert done.returncode == 1
+    assert (tmp_path / "log").read_text() == "kept"
+
+
 def test_a_pydantic_that_asks_for_more_than_plugins_gets_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -147,6 +147,8 @@ def test_files_that_cannot_be_read_or_written(
         "não pode ser aberto: arquivo ou pasta inexistente"
         in run("solve", "no.toml", "--lang=pt")[1]
     )
+    no_signal = ("diagnose", "no.wav", "--bearing=6205", "--speed=1480 rpm", "--lang=pt")
+    assert "não pode ser lido: arquivo ou pasta inexistente" in run(*no_signal)[1]
     assert "é uma pasta; indique um arquivo de caso" in run("solve", ".", "--lang=pt")[1]
     out = run("solve", str(EXAMPLE), "--json", "no/where.json", "--lang", "pt")[1]
     assert "não pode ser gravado: arquivo ou pasta inexistente" in out

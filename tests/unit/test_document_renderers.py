@@ -603,3 +603,13 @@ def test_a_page_is_as_wide_as_the_user_says(
     monkeypatch.setenv("COLUMNS", columns)
     found = Medium.of(_Stream(True)).width
     assert 80 <= found <= 120 if width is None else found == width
+
+
+@pytest.mark.parametrize("width", range(80, 100))
+def test_a_number_stays_in_one_line_of_a_terminal(width: int) -> None:
+    text = "such bearings reach 9 000 000 h, from 2 200 000 to 30 000 000 h, " * 3
+    page = Document("t", (Section("", (Statement(text),)),))
+    lines = terminal(page, Medium(width=width)).splitlines()
+    assert " ".join(" ".join(lines).split()).count("30 000 000 h") == 3
+    assert sum(line.count("30 000 000") for line in lines) == 3
+    assert sum(line.count("2 200 000") for line in lines) == 3

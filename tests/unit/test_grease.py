@@ -343,6 +343,9 @@ def test_the_commands() -> None:
     oil = run(app, ["oil", "6310", "--speed", "1480 rpm", "--temperatures", "40..70degC"])
     assert oil.exit_code == 0
     assert "ISO VG 68: κ = " in oil.output
+    steady = run(app, ["oil", "6310", "--speed", "1480 rpm", "--temperature", "70 degC"])
+    assert "at 70 °C." in steady.output
+    assert " and " not in steady.output.partition("\n\n")[0]
     wrong = run(app, ["oil", "6310", "--speed", "1480 rpm", "--temperatures", "40"])
     assert wrong.exit_code == 2
     assert "40..80degC" in wrong.output

@@ -113,7 +113,7 @@ class TestWords:
     def test_probabilities(self, evidence: float, text: str) -> None:
         note = Note("improbable_in_noise", {"evidence": evidence, "trials": 51_000})
         assert text in note.text
-        assert "all 51000 trials counted" in note.text
+        assert "all 51 000 trials counted" in note.text
 
     def test_reasons_are_the_same_in_json_and_on_the_page(self) -> None:
         text = squeezed(page(damaged(), "en"))

@@ -34,7 +34,9 @@ def test_the_page_has_modes_critical_speeds_and_unbalance(tmp_path: Path) -> Non
         str(MOTOR), "--speeds", "0..16000rpm", "--points", "9", "--orders", "1,2",
         "--plot", str(files[0]), "--json", str(files[1]), "--csv", str(files[2]),
     )  # fmt: skip
-    for words in ("Critical speeds", "axial", "The damping is assumed", "drive end", "order"):
+    for words in (
+        "Critical speeds", "axial", "The damping is assumed", "drive end", "order", "to 16 000 rpm",
+    ):  # fmt: skip
         assert words in text
     assert all(file.stat().st_size > 200 for file in files)
     mapping = json.loads(files[1].read_text(encoding="utf-8"))

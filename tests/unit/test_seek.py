@@ -164,3 +164,17 @@ def test_a_torque_is_qualified_by_what_its_friction_rests_on() -> None:
     expected = {note.key for note in friction.friction.qualifications(friction.solved)}
     assert expected
     assert expected <= {note.key for note in found.notes}
+
+
+@pytest.mark.parametrize(
+    ("vary", "wanted", "says"),
+    [
+        ("duty.load.fz", "life.hours=20000", '--for: "life.hours": is an unknown output'),
+        ("duty.load.fq", "life_hours=20000", '--vary: "duty.load.fq": is not a field'),
+    ],
+)
+def test_a_name_that_is_unknown_is_that_of_its_option(vary: str, wanted: str, says: str) -> None:
+    given = ("6310", "--fr", "5 kN", "--speed", "1480 rpm")
+    code, _, err = run(*given, "--vary", vary, "--for", wanted)
+    assert code == 2
+    assert err.startswith(f"rolamento: {says}")

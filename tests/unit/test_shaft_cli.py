@@ -104,6 +104,8 @@ def test_settings_go_over_the_file() -> None:
         ("bearings.9.position=1 mm", "unknown"),
         ("gears.wheel.powr=3 kW", "power"),
         ("gears.wheel.power=3", "unit"),
+        ("shafts.0.x=3", "unknown key"),
+        ("nothing=3", "unknown key"),
     ],
 )
 def test_settings_that_name_nothing_are_refused(setting: str, says: str) -> None:
@@ -111,6 +113,7 @@ def test_settings_that_name_nothing_are_refused(setting: str, says: str) -> None
     code, _, err = run(GEAR_SHAFT, "--set", setting)
     assert code == 2
     assert says in err
+    assert err.startswith("rolamento: --set: ")  # and no line of a file that does not have it
     assert "Traceback" not in err
 
 

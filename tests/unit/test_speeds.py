@@ -205,6 +205,8 @@ def test_a_limit_above_leads() -> None:
     page = terminal(speed_page(found))
     assert page.index("The speed is above") < page.index("Limits of the speed")
     assert page.count("The speed is above") == 1
+    limits = " ".join(page.partition("The speed is above")[2].partition(".")[0].split())
+    assert {"limiting speed, grease", "limiting speed, oil bath"} <= {*limits.split("; ")}
 
 
 @pytest.mark.parametrize(

@@ -235,7 +235,7 @@ class Case(Record):
                         said("has no effect without [mounting]"),
                         field=f"temperature.{part}",
                         value=readable(warm, "temperature"),
-                        example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+                        example='mounting = { bore = "25 mm", outside_diameter = "62 mm" }',
                     )
             return self
         for name in _SIZES if resolved is not None else ():
@@ -250,7 +250,7 @@ class Case(Record):
                     ),
                     field=f"mounting.{name}",
                     value=readable(own, "length"),
-                    example=f'leave it out, or {name} = "{size}"',
+                    example=f'{name} = "{size}"',
                 )
         if not bearing.bearing_type.mountable:
             raise InputError(

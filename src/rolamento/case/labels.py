@@ -418,7 +418,7 @@ CHOICES: Final = {
     },
     "life.fatigue_load_method": {
         "contacts": marked("from the contact stress"),
-        "estimate": marked("estimated from C0"),
+        "estimate": marked("estimated from C_0"),
     },
     "life.oil_supply": {
         "circulating": marked("circulating oil"),

@@ -1279,13 +1279,15 @@ def _parsed(
     values: _Values = (),
 ) -> Machine:
     known_format = format or format_of_text(text)
-    mapping = parse_mapping(text, known_format, source)
-    mapping = with_values(with_settings(mapping, settings), values)
+    given = parse_mapping(text, known_format, source)
+    changed = with_settings(given, settings)
     try:
-        return Machine.from_mapping(with_files(mapping, folder))
+        return Machine.from_mapping(with_files(with_values(changed, values), folder))
     except InputError as error:
         if error.source:
             raise
+        if _value_at(given, error.field) != _value_at(changed, error.field):
+            raise error.with_details(source=OVERRIDE_SOURCE) from None
         line = line_of(error.field, lines_of_machine(text, known_format))
         raise error.with_details(source=source, line=line) from None
 
@@ -1357,6 +1359,16 @@ def with_values(
     for names, value in values:
         _set(result, names, value)
     return result
+
+
+def _value_at(tables: Any, field: str) -> Any:
+    """What tables have at the dotted name of a field, or at the last part of it that is there."""
+    for name in field.split("."):
+        try:
+            tables = tables[int(name) if isinstance(tables, list) else name]
+        except (IndexError, KeyError, TypeError, ValueError):
+            break
+    return tables if not isinstance(tables, dict | list) else None
 
 
 def with_changes(mapping: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:

@@ -234,7 +234,7 @@ def clearance_of_case(case: Case) -> OperatingClearance:
         raise InputError(
             said("is missing: without it the bearing runs at its own clearance"),
             field="mounting",
-            example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+            example='mounting = { bore = "25 mm", outside_diameter = "62 mm" }',
         )
     return _clearance_of(_Mounted.of(case, case.mounting))
 

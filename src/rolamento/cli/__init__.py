@@ -48,7 +48,9 @@ class _NoPlugins(ModuleType):
 
 def _leave(codes: list[int]) -> None:
     """End at once: all that is left to do is to give back memory, object by object."""
-    if codes:
+    if not codes or hasattr(sys, "last_type"):  # else a program that went on has failed since
+        return
+    for stream in (sys.stdout, sys.stderr):
         with suppress(AttributeError, OSError, ValueError):  # no stream, or a closed one
-            sys.stdout.flush()
-        os._exit(codes[0])
+            stream.flush()
+    os._exit(codes[0])

@@ -203,7 +203,7 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
             yield
     except InputError as error:
         of_column = error.field in request.columns and error.source not in ("", *options)
-        if isinstance(error, UnknownKeyError):
+        if isinstance(error, UnknownKeyError) and error.source:
             raise  # of a file, whose keys may be called as the fields of the request
         is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options

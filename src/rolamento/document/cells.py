@@ -22,6 +22,7 @@ __all__ = [
     "cells",
     "characters",
     "figure_spaced",
+    "grouped",
     "has_unit_line",
     "indexed",
     "peaks",
@@ -209,12 +210,17 @@ def address(target: str, *, web_only: bool = False) -> str:
     return "" if elsewhere or web_only else target
 
 
+def grouped(text: str) -> str:
+    """Return a text with spaces that do not break within its numbers: 30 000 000."""
+    return _GROUP.sub("\u00a0", text)
+
+
 def indexed(text: str) -> Sequence[tuple[str, str]]:
     """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``.
 
     The groups of a number stay together.
     """
-    text = _GROUP.sub("\u00a0", text)
+    text = grouped(text)
     pieces: list[tuple[str, str]] = []
     end = 0
     for found in _INDEXED.finditer(text):

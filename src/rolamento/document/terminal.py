@@ -17,6 +17,7 @@ from rolamento.document.cells import (
     broken,
     cell,
     cells,
+    grouped,
     has_unit_line,
     peaks,
     shares,
@@ -153,10 +154,10 @@ class _Setter:
         pieces = [
             piece
             for line in self.medium.fitted(content).split("\n")
-            for piece in wrap(line, max(width - margin, 8), break_on_hyphens=False) or [""]
+            for piece in wrap(grouped(line), max(width - margin, 8), break_on_hyphens=False) or [""]
         ]
         return [
-            (*(_blank(margin) if number else label), (piece, style))
+            (*(_blank(margin) if number else label), (piece.replace("\u00a0", " "), style))
             for number, piece in enumerate(pieces)
         ]
 

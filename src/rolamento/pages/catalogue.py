@@ -22,7 +22,7 @@ from rolamento.words.quantities import CALLED
 __all__ = ["KINDS", "bearing_page", "search_page"]
 
 _SHORT_NAMES: Final = {
-    "dynamic_rating": "C", "static_rating": "C0", "f0": "f0",
+    "dynamic_rating": "C", "static_rating": "C_0", "f0": "f_0",
     "axial_dynamic_rating": "Ca", "axial_static_rating": "C0a",
     "inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w", "axial_limit": "e",
 }  # fmt: skip
@@ -49,7 +49,7 @@ _NAMES: Final = {
     "axial_static_rating": CALLED["axial_static_rating"],
     "load_centre_distance": marked("distance of the load centres"),
     "limiting_speed": marked("limiting speed, oil"),
-    "f0": marked("factor f0"),
+    "f0": marked("factor f_0"),
     "ball_count": marked("number of balls Z"),
     "ball_diameter": marked("ball diameter D"),
     "pitch_diameter": marked("pitch diameter d_m"),
@@ -140,7 +140,7 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> do
         *(_column(found, name, head, "mm") for name, head in lengths.items()),
         _column(found, "contact_angle", "α", "°"),
         _column(found, "dynamic_rating", "C", "N"),
-        _column(found, "static_rating", "C0", "N"),
+        _column(found, "static_rating", "C_0", "N"),
         doc.Column(said("balls"), [_balls(b) for b in found], "balls", align="right"),
     )
     if all(bearing.has_rollers for bearing in found):
@@ -221,7 +221,7 @@ def _sisters(sisters: Sequence[CatalogueBearing]) -> doc.Section:
         _column(sisters, "ball_diameter", "D", "mm"),
         _column(sisters, "pitch_diameter", "d_m", "mm"),
         _column(sisters, "dynamic_rating", "C", "N"),
-        _column(sisters, "static_rating", "C0", "N"),
+        _column(sisters, "static_rating", "C_0", "N"),
     )
     legend = said(
         "Same bore, outside diameter and width, and about the same contact angle: to calculate with"
@@ -331,7 +331,7 @@ def _how_sure(first: RollerCandidate) -> str:
             " section, and their number from how full such bearings usually are."
         )
     return said(
-        "C and C0 tell the diameter of the rollers and the product Z·L_we within about a part in a"
+        "C and C_0 tell the diameter of the rollers and the product Z·L_we within about a part in a"
         " hundred; the number of rollers follows from how full such bearings usually are."
     )
 
@@ -377,12 +377,12 @@ def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) 
         of("d_pw", "pitch_diameter", ".2f", "mm"),
         of(said("filling"), "filling", ".0f", "%"),
         of("C", "dynamic_error", "+.1f", "%"),
-        of("C0", "static_error", "+.1f", "%"),
+        of("C_0", "static_error", "+.1f", "%"),
         doc.Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
         of(said("share"), "weight", ".0f", "%"),
     )
     legend = said(
-        "filling: part of the pitch circle that the rollers take; C, C0: computed minus published;"
+        "filling: part of the pitch circle that the rollers take; C, C_0: computed minus published;"
         " misfit up to 1: as good as usual; ×: one figure is off by more than three tolerances;"
         " share: of the likelihood."
     )
@@ -420,13 +420,13 @@ def _candidates(candidates: Sequence[Candidate]) -> doc.Section:
         column("f_i", "inner_conformity", [one.inner_conformity for one in candidates], ".4"),
         column("f_o", "outer_conformity", [one.outer_conformity for one in candidates], ".4"),
         errors("C", "dynamic_error", "+.1f", "%"),
-        errors("C0", "static_error", "+.1f", "%"),
-        errors("f0", "f0_error", "+.2f"),
+        errors("C_0", "static_error", "+.1f", "%"),
+        errors("f_0", "f0_error", "+.2f"),
         doc.Column(said("misfit"), misfits, "misfit", tones=tones, align="left"),
         column(said("share"), "weight", [one.weight for one in candidates], ".0f", "%"),
     )
     legend = said(
-        "C, C0, f0: computed minus published; misfit up to 1: as good as the published digits; ×:"
+        "C, C_0, f_0: computed minus published; misfit up to 1: as good as the published digits; ×:"
         " one figure is off by more than three tolerances; share: of the likelihood; f_i, f_o: the"
         " most open grooves that the ratings allow."
     )

@@ -323,7 +323,7 @@ def _legend(diagnosis: Diagnosis) -> Iterable[str]:
     values = {
         "damage": DAMAGE,
         "severe": SEVERE,
-        "trials": str(diagnosis.trials),
+        "trials": diagnosis.trials,
         "least": -log10(diagnosis.false_alarm),
     }
     if diagnosis.element == "ball":

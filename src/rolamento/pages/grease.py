@@ -245,14 +245,17 @@ def oil_page(found: OilChoice, title: str) -> doc.Document:
         statement = doc.Statement(text, "bad-strong", indent=2)
     else:
         chosen = found[found.chosen]
-        text = said(
-            "{name}: κ = {hot:.3} at {hottest:.4 °C} and {cold:.3} at {coldest:.4 °C}.",
-            name=chosen.name,
-            hot=chosen.ratio_hot,
-            cold=chosen.ratio_cold,
-            hottest=found.hottest,
-            coldest=found.coldest,
-        )
+        values = {
+            "name": chosen.name, "hot": chosen.ratio_hot, "cold": chosen.ratio_cold,
+            "hottest": found.hottest, "coldest": found.coldest,
+        }  # fmt: skip
+        if found.coldest == found.hottest:
+            text = said("{name}: κ = {hot:.3} at {hottest:.4 °C}.", **values)
+        else:
+            text = said(
+                "{name}: κ = {hot:.3} at {hottest:.4 °C} and {cold:.3} at {coldest:.4 °C}.",
+                **values,
+            )
         statement = doc.Statement(text, "strong", indent=2)
     sections = [
         doc.Section("", (Title(title), statement, *cautions(found.notes)), "head"),

@@ -100,7 +100,7 @@ def _given(solved: SolvedMachine) -> doc.KeyValues:
     machine = solved.machine
     shafts = [
         said(
-            "{name}: {length:.6g mm} long, {speed:.5g rpm}",
+            "{name}: {length:.6g mm} long, {speed:.5 rpm}",
             name=shaft.name, length=shaft.length, speed=machine.speed(shaft.name),
         )
         for shaft in machine.shafts

@@ -51,7 +51,7 @@ def vibration_page(found: MachineVibration) -> doc.Document:
 def _given(found: MachineVibration) -> doc.KeyValues:
     speed = found.campbell.speed
     text = said(
-        "{shaft}: {first:.5g rpm} to {last:.5g rpm}, operating speed {own:.5g rpm}",
+        "{shaft}: {first:.5 rpm} to {last:.5 rpm}, operating speed {own:.5 rpm}",
         shaft=found.campbell.shaft, first=speed[0], last=speed[-1], own=found.speed,
     )  # fmt: skip
     entries = [doc.Entry(said("shaft speed"), text)]
@@ -74,7 +74,7 @@ def _headline(found: MachineVibration) -> Iterable[doc.Statement | NotesBlock]:
     else:
         apart = nearest.speed / found.speed - 1.0
         text = said(
-            "The critical speed nearest to the operating speed is {speed:.5g rpm} ({whirl},"
+            "The critical speed nearest to the operating speed is {speed:.5 rpm} ({whirl},"
             " order {order:.4g}): {apart:+.3 %} from it.",
             speed=nearest.speed,
             whirl=whirl_name(nearest.whirl),

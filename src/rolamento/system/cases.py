@@ -172,7 +172,7 @@ def spread(
             raise InputError(
                 said("takes effect through [mounting], which this case lacks"),
                 field=name,
-                example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+                example='mounting = { bore = "25 mm", outside_diameter = "62 mm" }',
             )
     cases = max((array.size for array in given.values() if array.ndim), default=1)
     if any(array.ndim and array.size == 0 for array in given.values()):

@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.errors import FileError, InputError, shown
+from rolamento.errors import FileError, InputError, cause, shown
 from rolamento.words import manner, marked, said
 
 __all__ = [
@@ -161,10 +161,8 @@ def guarded(source: str, kind: str) -> Iterator[None]:
         raise FileError(said("asks for more memory than there is"), source=source) from None
     except Exception as error:  # what a format's library raises is not for us to list
         if isinstance(error, OSError) and error.strerror:  # of the system, not of a library
-            reason = _in_short(error.strerror)
-            raise FileError(
-                said("cannot be read: {reason}", reason=reason), source=source
-            ) from None
+            rule = said("cannot be read: {reason}", reason=cause(error))
+            raise FileError(rule, source=source) from None
         reason = _in_short(str(error) or type(error).__name__)
         raise FileError(
             said("is not a readable {kind}: {reason}", kind=said(kind), reason=reason),

@@ -301,7 +301,7 @@ def _chance(values: Values) -> str:
         return said(
             "Noise alone gives a match this clear with a probability below {chance}, all {trials}"
             " trials counted.",
-            chance=f"1e-{_DIGITS:.0f}", trials=str(trials),
+            chance=f"1e-{_DIGITS:.0f}", trials=trials,
         )  # fmt: skip
     if evidence < 2.0:
         chance = manner().short(10.0**-evidence, 2)
@@ -312,7 +312,7 @@ def _chance(values: Values) -> str:
     return said(
         "Noise alone gives a match this clear with a probability of at most {chance}, all {trials}"
         " trials counted.",
-        chance=chance, trials=str(trials),
+        chance=chance, trials=trials,
     )  # fmt: skip
 
 
@@ -320,7 +320,7 @@ def _nothing_above(values: Values) -> str:
     return said(
         "Noise alone gives the best match of {trials} trials with a probability of"
         " {probability:.2}.",
-        trials=str(values["trials"]), probability=values["probability"],
+        trials=values["trials"], probability=values["probability"],
     )  # fmt: skip
 
 

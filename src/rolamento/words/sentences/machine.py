@@ -61,7 +61,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " are as uncertain as that."
     ),
     "beyond_linear": marked(
-        "Bearing {bearing}: from {speed:.5g rpm} on there are speeds at which unbalance adds more"
+        "Bearing {bearing}: from {speed:.5 rpm} on there are speeds at which unbalance adds more"
         " force than its rows carry. Contact is then lost in each turn, and the response, which is"
         " linear, is no more than an estimate."
     ),

@@ -25,7 +25,7 @@ LIMIT_NAMES: Final = {
 
 
 def _above(values: Mapping[str, Any]) -> str:
-    names = listed([said(LIMIT_NAMES[name]) for name in values["limits"]])
+    names = "; ".join(said(LIMIT_NAMES[name]) for name in values["limits"])  # which have commas
     return said("The speed is above: {names}.", names=names)
 
 
