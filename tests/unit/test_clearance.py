@@ -213,6 +213,15 @@ def mounted_case(**changes: Any) -> Case:
     return Case(**(fields | changes))
 
 
+def test_a_clearance_that_is_given_is_not_taken_for_the_catalogues() -> None:
+    table = {"shaft_tolerance": "k5", "housing_tolerance": "H7"}
+    listed = Case.from_mapping({"bearing": {"designation": "6305"}, "duty": {}, "mounting": table})
+    given = listed.with_(bearing__diametral_clearance=listed.bearing.diametral_clearance)
+    assert given.bearing == listed.bearing
+    sources = [clearance_of_case(one).steps[0].source for one in (listed, given, listed)]
+    assert sources[0] == sources[2] != sources[1]
+
+
 def test_the_bearing_in_operation_is_what_solve_takes() -> None:
     case = mounted_case()
     result = found(WARM, 2000 * RPM, **FULL)

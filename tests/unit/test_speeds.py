@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import InputError, load_case, parse_case, solve
-from rolamento.analysis.speed_limits import speed_limits
+from rolamento.analysis.speed_limits import limiting_speeds, speed_limits
 from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.preload_classes import level_of_force
@@ -188,6 +188,15 @@ def test_what_no_table_knows_leads(designation: str, left_out: set[str]) -> None
     named = {part for part, _ in values["parts"]}
     named |= {name for name in ("rows", "ceramic") if values.get(name)}
     assert named == left_out
+
+
+@pytest.mark.parametrize("designation", ["6310", "7014C", "NU 205", "51210"])
+def test_limits_of_any_load_are_those_of_the_page(designation: str) -> None:
+    settings = ["duty.load.fz=1 kN", "duty.inner_speed=1000 rpm", "lubricant=ISO VG 68",
+                "temperature.lubricant=70 degC"]  # fmt: skip
+    case = case_of(designation, settings)
+    of_page = tuple(one for one in speed_limits(case).limits if one.name != "permissible")
+    assert limiting_speeds(case) == of_page
 
 
 def test_a_limit_above_leads() -> None:
