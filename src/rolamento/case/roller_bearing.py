@@ -293,7 +293,7 @@ def _arcs_are_not(bearing: "RollerBearing") -> InputError:
         ),
         field="roller_profile_radius",
         value=readable(float(f"{float(profile):.6g}"), "length"),
-        example="leave it out",
+        example=said("leave it out"),
     )
 
 
