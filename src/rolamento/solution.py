@@ -251,9 +251,8 @@ def _solve_one(case: Case, loss: bool) -> Solved:
     if case.mounting is not None:
         from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
 
-        found = clearance_of_case(case)
-        notes = clearance_notes(found)
-        case = operating_case(case, found)
+        notes = clearance_notes(clearance_of_case(case))
+        case = operating_case(case)
     solved = _solve_many(case, {}, threads=1)
     if case.bearing.preload is not None and solved.converged[0]:
         from rolamento.system.preload import preload_of

@@ -38,6 +38,9 @@ def numbers(value: ArrayLike | None, field: str, example: str = "") -> FloatArra
     InputError
         If it is neither a number nor a list, an array or a series of them: text and tables are not.
     """
+    kind: type = type(value)
+    if kind is float or (kind is np.ndarray and getattr(value, "dtype", None) == np.float64):
+        return np.asarray(value)  # most of what comes: plain numbers, of which none is masked
     try:
         given = value if isinstance(value, np.ndarray) else np.asarray(value)
         objects = given.flat if given.dtype.kind == "O" else ()
@@ -77,6 +80,8 @@ def positive(
         If one is not.
     """
     array = numbers(value, field)
+    if array.size == 1 and 0.0 < array.item() < inf:
+        return array
     wrong = array < 0.0 if zero else array <= 0.0
     if finite:
         wrong = wrong | ~np.isfinite(array)
@@ -121,7 +126,11 @@ def within(
         If one is outside.
     """
     array = numbers(value, field, example)
-    if array.size and least < array.min() and array.max() <= most:
+    if array.size == 1:
+        inside = least < array.item() <= most
+    else:
+        inside = array.size > 1 and least < array.min() and array.max() <= most
+    if inside:
         return array
     outside = (array < least if least_too else array <= least) | (array > most)
     if not nan_too:

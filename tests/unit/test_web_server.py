@@ -30,6 +30,7 @@ from rolamento.errors import InputError
 from rolamento.units import to_si
 from rolamento.web import answers, api, limits, page_api, server, warming
 from rolamento.web.hands import Hands
+from rolamento.web.live import live
 from rolamento.web.server import Settings, create_app, server_options
 from rolamento.words import speaking
 
@@ -677,6 +678,15 @@ def test_making_ready_goes_on_when_a_step_fails(
     warming.make_ready(warmth)
     assert warmth.to_mapping() == {"ready": True, "done": warmth.total, "total": warmth.total}
     assert "making ready" in caplog.text
+
+
+@pytest.mark.parametrize("case", [warming._BALLS, warming._SET, warming._ROLLERS])
+def test_making_ready_follows_cases_that_are_right(case: dict[str, Any]) -> None:
+    analysis = live({"cases": [{"case": {**case, **warming._REST}}], "quick": True})
+    (answer,) = analysis["cases"]
+    assert answer["error"] is None
+    assert answer["status"]["converged"]
+    assert "analysis.film.viscosity_ratio" in {one["key"] for one in analysis["figures"][0]}
 
 
 # --- a real server ----------------------------------------------------------------------------

@@ -210,7 +210,7 @@ def analyse(
     compare = single and not quick if compare is None else compare
     life, why_not = life_of(solved, stress_volume=single and not quick)
     film, friction = film_and_friction(
-        solved, model=model, hysteresis=hysteresis, compare=compare, threads=threads
+        solved, life, model=model, hysteresis=hysteresis, compare=compare, threads=threads
     )
     if film is None and has_oil(solved.case):
         key = "no_temperature_no_friction" if friction is None else "no_temperature"
@@ -227,6 +227,7 @@ def analyse(
 
 def film_and_friction(
     solved: Solved,
+    life: LifeSummary | None = None,
     *,
     model: str | None = None,
     hysteresis: float = DEFAULT_HYSTERESIS,
@@ -235,7 +236,7 @@ def film_and_friction(
 ) -> tuple[Film | None, Friction | None]:
     """Return film and friction of solved cases; None where the case does not say enough for one.
 
-    Parameters as of `analyse`.
+    Parameters as of `analyse`; life: that of a single case, if it is known.
     """
     if solved.case.lubricant is None:
         return None, None
@@ -249,7 +250,7 @@ def film_and_friction(
         found = film(some, threads=1) if has_film(some) else None
         if not has_friction(some):
             return found, None
-        machine = machines_known(some, found) if single else ()
+        machine = machines_known(some, found, life) if single else ()
         return found, friction(
             some,
             model=model or default_model(some, quick=not single),

@@ -12,6 +12,7 @@ from rolamento.solved import Solved
 if TYPE_CHECKING:
     from rolamento.case.rolling_bearing import RollingBearing
     from rolamento.friction import MachineBearing
+    from rolamento.life import LifeSummary
     from rolamento.lubrication import Film
 
 
@@ -36,10 +37,13 @@ def has_friction(solved: Solved) -> bool:
     return has_film(solved)
 
 
-def machines_known(solved: Solved, found: Film | None) -> tuple[MachineBearing, ...]:
+def machines_known(
+    solved: Solved, found: Film | None, life: LifeSummary | None = None
+) -> tuple[MachineBearing, ...]:
     """Return what the torque models of whole bearings need; empty where it is not known.
 
-    A bearing with a mounting is designated as it was delivered. found: the film of the cases.
+    A bearing with a mounting is designated as it was delivered. found, life: film and life of the
+    cases; life may be left out.
     """
     from rolamento.friction import machines_of
     from rolamento.friction.machine import are_designated, bearings_of
@@ -49,7 +53,8 @@ def machines_known(solved: Solved, found: Film | None) -> tuple[MachineBearing, 
     case = solved.case if solved.before_mounting is None else solved.before_mounting.case
     if found is None or not are_designated(case.bearing):
         return ()
-    rating, load = static_of_bearings(solved)
+    known = None if life is None else (life.ratings, life.loads)
+    rating, load = static_of_bearings(solved, known)
     # the constants of the models are for the C_0 of steel bearings: it stands for their geometry
     shares = [static_share(one) for one in bearings_of(case.bearing)]
     if rating.shape[1] == len(shares) and any(share != 1.0 for share in shares):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
@@ -52,11 +52,21 @@ from rolamento.speeds import (
     thermal_reference_speed,
 )
 from rolamento.speeds.permissible import LEAST_PRODUCT, HeatShares
+from rolamento.speeds.reference import ReferenceCoefficients
 from rolamento.types import of_balls
 from rolamento.words import Note, said
 
-__all__ = ["Boundary", "MinimumLoad", "SpeedLimit", "SpeedLimits", "speed_limits"]
+__all__ = [
+    "Boundary",
+    "MinimumLoad",
+    "SpeedLimit",
+    "SpeedLimits",
+    "limiting_speeds",
+    "speed_limits",
+]
 
+_reference_speed: Final = lru_cache(maxsize=256)(thermal_reference_speed)
+"""A bearing's own: found once for all its loads and speeds."""
 LimitName = Literal["catalogue", "reference", "permissible", "grease", "oil_bath", "high_speed"]
 _RPM: Final = 30.0 / pi
 _ISO_SERIES: Final = {"60": "70", "62": "72", "63": "73", "69": "719", "68": "718"}
@@ -117,6 +127,13 @@ class Boundary:
         if self.bore is None or self.outside_diameter is None:
             return None
         return 0.5 * (self.bore + self.outside_diameter)
+
+    @property
+    def sizes(self) -> tuple[float, float, float] | None:
+        """d, D and B, if all are known; m."""
+        if self.bore is None or self.outside_diameter is None or self.width is None:
+            return None
+        return self.bore, self.outside_diameter, self.width
 
 
 @frozen
@@ -305,6 +322,17 @@ def speed_limits(
     return _Asked(case, boundary, minimum_load_factor).answer(name_of(bearing, case))
 
 
+def limiting_speeds(case: Case) -> tuple[SpeedLimit, ...]:
+    """Return the limits that the load does not change: all of `speed_limits` but the permissible.
+
+    Raises
+    ------
+    InputError
+        If different elements roll in the rows.
+    """
+    return _Asked(case, _boundary(case), None).of_any_load()
+
+
 def _boundary(case: Case) -> Boundary:
     """Sizes, series and ratings, from the designation, the mounting, the film and the life."""
     bearing, resolved = case.bearing, case.bearing.resolved
@@ -454,14 +482,9 @@ class _Asked:
         return hypot(load.fy or 0.0, load.fz or 0.0), abs(load.fx or 0.0)
 
     def answer(self, title: str) -> SpeedLimits:
-        limits: list[SpeedLimit] = []
-        notes: list[Note] = []
-        published = self.case.bearing.published
-        listed = None if published is None else published.limiting_speed
-        if published is not None and listed is not None:
-            where = {"source": published.sources.get("limiting_speed", published.maker)}
-            limits.append(self._limit("catalogue", listed, Note("source_listed_speed", where)))
-        shares = self._thermal(limits, notes)
+        limits, notes = self._listed(), list[Note]()
+        found = self._reference(limits, notes)
+        shares = None if found is None else self._permissible(found, limits, notes)
         self._of_maker(limits, notes)
         of_kind = self._minimum_loads if self.element == "ball" else self._minimum_of_rollers
         loads = tuple(of_kind(limits, notes))
@@ -472,14 +495,30 @@ class _Asked:
             tuple(sorted(notes, key=_weight)),
         )  # fmt: skip
 
+    def of_any_load(self) -> tuple[SpeedLimit, ...]:
+        limits, notes = self._listed(), list[Note]()
+        self._reference(limits, notes)
+        self._of_maker(limits, notes)
+        return tuple(limits)
+
+    def _listed(self) -> list[SpeedLimit]:
+        published = self.case.bearing.published
+        listed = None if published is None else published.limiting_speed
+        if published is None or listed is None:
+            return []
+        where = {"source": published.sources.get("limiting_speed", published.maker)}
+        return [self._limit("catalogue", listed, Note("source_listed_speed", where))]
+
     def _limit(self, name: LimitName, speed: float, source: Note) -> SpeedLimit:
         share = self.speed / speed if self.speed and speed else nan
         return SpeedLimit(name, speed, share, source)
 
     # --- heat -----------------------------------------------------------------------------------
 
-    def _thermal(self, limits: list[SpeedLimit], notes: list[Note]) -> HeatShares | None:
-        """Reference and permissible speed; K_L and K_P."""
+    def _reference(
+        self, limits: list[SpeedLimit], notes: list[Note]
+    ) -> ReferenceCoefficients | None:
+        """Reference speed; its coefficients, None where there is none."""
         given = self.boundary
         type_ = self.case.bearing.bearing_type
         if type_.washers and not type_.has_rollers:
@@ -490,14 +529,13 @@ class _Asked:
             if given.series:
                 notes.append(Note("no_reference_coefficients", {"series": given.series}))
             return None
-        if given.bore is None or given.outside_diameter is None or given.width is None:
+        if given.sizes is None:
             notes.append(Note("no_boundary_dimensions"))
             return None
         if not isfinite(given.static_rating):
             notes.append(Note("no_static_rating_for_speed"))
             return None
-        sizes = (given.bore, given.outside_diameter, given.width)
-        speed = thermal_reference_speed(*sizes, given.static_rating, found)
+        speed = _reference_speed(*given.sizes, given.static_rating, found)
         values = {"f_0r": found.f_0r, "f_1r": found.f_1r}
         limits.append(self._limit("reference", speed, Note("source_reference_speed", values)))
         if not found.checked:
@@ -505,6 +543,13 @@ class _Asked:
         left_out = {"rows": given.rows > 1, "ceramic": self._is_hybrid, "parts": self._parts}
         if any(left_out.values()):
             notes.append(Note("reference_speed_leaves_out", left_out))
+        return found
+
+    def _permissible(
+        self, found: ReferenceCoefficients, limits: list[SpeedLimit], notes: list[Note]
+    ) -> HeatShares | None:
+        """Permissible speed, where limits end with that of reference; K_L and K_P."""
+        given, speed = self.boundary, limits[-1].speed
         if self.viscosity is None:
             notes.append(Note("no_permissible_speed"))
             return None
@@ -518,10 +563,10 @@ class _Asked:
         load = radial
         if kind.key in constants_by_type():
             load = float(friction_load(radial, axial, kind.key, given.contact_angle or 0.0))
-        mean = 0.5 * (given.bore + given.outside_diameter)
+        assert given.sizes is not None  # the reference speed needs them
         shares = heat_shares(
-            speed, mean, reference_heat_flow(*sizes), viscosity=self.viscosity, load=load,
-            f_0=found.f_0r, f_1=found.f_1r,
+            speed, self.mean_diameter, reference_heat_flow(*given.sizes),
+            viscosity=self.viscosity, load=load, f_0=found.f_0r, f_1=found.f_1r,
         )  # fmt: skip
         permissible = speed * speed_ratio(*shares)
         values = {"viscosity": self.viscosity, "load": load}

@@ -222,9 +222,10 @@ class RollingBearing(Record):
         ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
         or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
         """
-        if self.resolved is None:
+        known = self.resolved
+        if known is None:
             return {}
-        own, resolved = self.model_fields_set, self.resolved.origins
+        own, resolved = self.model_fields_set, known.origins
         return {
             name: "given" if name in own else resolved.get(name) or _ELSE_FROM[name]
             for name in self.FILLED_IN
@@ -251,14 +252,16 @@ class RollingBearing(Record):
     @property
     def published(self) -> "CatalogueBearing | None":
         """What the catalogue holds of the designation; None without one."""
-        return None if self.resolved is None else self.resolved.bearing
+        known = self.resolved
+        return None if known is None else known.bearing
 
     @property
     def clearance_class(self) -> str | None:
         """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
-        if self.resolved is None or self.origins.get("diametral_clearance") != "assumed":
+        known = self.resolved
+        if known is None or self.origins.get("diametral_clearance") != "assumed":
             return None
-        return self.resolved.clearance_class
+        return known.clearance_class
 
     def replace(self, **changes: Any) -> Self:
         """Return a new bearing with the given fields changed; see `Record.replace`."""
@@ -268,7 +271,8 @@ class RollingBearing(Record):
     @property
     def from_given_ratings(self) -> bool:
         """Whether the balls are inferred from ratings of the case, not of a list."""
-        return self.resolved is not None and self.resolved.from_given_ratings
+        known = self.resolved
+        return known is not None and known.from_given_ratings
 
     def looked_up_again(self) -> Self:
         """Return the bearing of the same designation in the catalogue that now is asked."""

@@ -11,6 +11,7 @@ tightest fits. `sample_clearance` draws the tolerances independently instead.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from math import acos, tan
 from typing import Any, Final, Literal, NamedTuple
 
@@ -21,6 +22,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
+from rolamento.case.temperature import Temperature
 from rolamento.clearance.chain import (
     Assembly,
     Chain,
@@ -234,19 +236,52 @@ def clearance_of_case(case: Case) -> OperatingClearance:
             field="mounting",
             example='mounting = { bore = "25 mm", outside_diameter = "62 mm" }',
         )
+    return _clearance_of(_Mounted.of(case, case.mounting))
+
+
+class _Mounted(NamedTuple):
+    """What the clearance of a case depends on.
+
+    given: the user's own fields, which bearings that are equal may differ in.
+    """
+
+    bearing: Bearing | RollerBearing
+    given: frozenset[str]
+    mounting: Mounting
+    temperature: Temperature | None
+    inner_speed: float
+    outer_speed: float
+
+    @classmethod
+    def of(cls, case: Case, mounting: Mounting) -> _Mounted:
+        bearing, duty = case.bearing, case.duty
+        given = frozenset(bearing.model_fields_set)
+        speeds = duty.inner_speed, duty.outer_speed
+        return cls(bearing, given, mounting, case.temperature, *speeds)
+
+
+@lru_cache(maxsize=256)
+def _clearance_of(one: _Mounted) -> OperatingClearance:
+    """Found once: what solves a case asks, then what shows it, and the next of another load."""
     return operating_clearance(
-        case.bearing,
-        case.mounting,
-        case.temperature,
-        inner_speed=case.duty.inner_speed,
-        outer_speed=case.duty.outer_speed,
+        one.bearing,
+        one.mounting,
+        one.temperature,
+        inner_speed=one.inner_speed,
+        outer_speed=one.outer_speed,
     )
 
 
-def operating_case(case: Case, found: OperatingClearance | None = None) -> Case:
+@lru_cache(maxsize=256)
+def _running(one: _Mounted) -> Bearing | RollerBearing:
+    """The bearing as it runs; found once likewise."""
+    return _clearance_of(one).operating_bearing(one.mounting.limit)
+
+
+def operating_case(case: Case) -> Case:
     """The case with its bearing as it runs, and no mounting; what `solve` solves.
 
-    A case without a mounting is returned as it is. found: its `clearance_of_case`, if it is known.
+    A case without a mounting is returned as it is.
 
     Raises
     ------
@@ -255,10 +290,12 @@ def operating_case(case: Case, found: OperatingClearance | None = None) -> Case:
     """
     if case.mounting is None:
         return case
-    running = (found or clearance_of_case(case)).operating_bearing(case.mounting.limit)
+    running = _running(_Mounted.of(case, case.mounting))
     warm = case.temperature
     of_bearing = None if warm is None else warm.of_bearing
-    return case.replace(bearing=running, mounting=None, temperature=of_bearing)
+    # of parts that are valid, and agreed with each other as they were delivered
+    parts = {"bearing": running, "mounting": None, "temperature": of_bearing}
+    return case.model_copy(update=parts)
 
 
 def _at_limits(band: Any) -> Any:

@@ -447,15 +447,16 @@ def _torque_range(setting: Setting, own: Torque, torque: FloatArray) -> FloatArr
     if not setting.by_regime:
         return np.stack([torque, torque], axis=-1)
     of_balls = own.model != ROLLER_MODEL
+    slides = setting.solved.rollers is not None
+    here = _sliding(setting, roller_sliding(setting)).total if slides else 0.0
     found = []
     for limit in setting.at_limits:
         changed = np.zeros(len(setting))
         if of_balls:
             ratio = limit.coefficient.balls / setting.coefficient.balls
             changed = own.total * (ratio[:, 0] - 1.0)
-        if setting.solved.rollers is not None:
-            there, here = (_sliding(one, roller_sliding(one)).total for one in (limit, setting))
-            changed = changed + there - here
+        if slides:
+            changed = changed + _sliding(limit, roller_sliding(limit)).total - here
         found.append(torque + changed)
     return np.stack(found, axis=-1)
 

@@ -564,17 +564,17 @@ def listed_factors(solved: Solved, angles: FloatArray) -> ListedFactors | None:
     return ListedFactors(e, y, y_0)
 
 
-def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
+def static_of_bearings(
+    solved: Solved, known: tuple[Ratings, EquivalentLoads] | None = None
+) -> tuple[FloatArray, FloatArray]:
     """C_0 and P_0 of each bearing of a set under its own load, (cases, bearings), N.
 
     Of a bearing whose rows are rated together, and of one row, those of the whole; NaN where the
-    standards do not rate it.
+    standards do not rate it. known: ratings and loads of the same cases, as of their `Basis`.
     """
     rows = solved.rows
     try:
-        angle = within_rating(nominal_contact_angle(solved), row_kinds(solved))
-        ratings = ratings_of(solved, angle, conditions_of(solved))
-        loads = _equivalent_loads(solved, angle, ratings)
+        ratings, loads = known or _rated(solved)
     except UnratedError:
         nothing = np.full((len(solved), 1), np.nan)
         return nothing, nothing
@@ -590,6 +590,13 @@ def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
         for index, kind in enumerate(ratings.kinds)
     ]
     return ratings.static, np.stack(static, axis=1)
+
+
+def _rated(solved: Solved) -> tuple[Ratings, EquivalentLoads]:
+    """Ratings by what the cases say, and the loads to compare them with."""
+    angle = within_rating(nominal_contact_angle(solved), row_kinds(solved))
+    ratings = ratings_of(solved, angle, conditions_of(solved))
+    return ratings, _equivalent_loads(solved, angle, ratings)
 
 
 def _equal_rows(rows: Rows, angle: FloatArray) -> bool:

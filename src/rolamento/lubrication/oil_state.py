@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -15,9 +16,10 @@ from rolamento.oil import (
     astm_d341,
     astm_d341_line,
     density_by_expansion,
-    density_of_lubricating_oil,
+    density_from_standard,
     dynamic_viscosity,
     so_klaus,
+    standard_density,
     viscosity_temperature_coefficient,
     wooster,
 )
@@ -74,7 +76,13 @@ class OilState:
 
 def viscosity_line(lubricant: Lubricant) -> ViscosityLine:
     """Line of ASTM D341 through the two viscosities of an oil or of a grease's base oil."""
-    cool, hot = lubricant.points
+    return _line_of(lubricant.oil)
+
+
+@lru_cache(maxsize=256)
+def _line_of(oil: Lubricant) -> ViscosityLine:
+    """Found once: an analysis asks for it a dozen times."""
+    cool, hot = oil.points
     return astm_d341_line(cool.temperature, cool.viscosity, hot.temperature, hot.viscosity)
 
 
@@ -85,8 +93,14 @@ def oil_density(lubricant: Lubricant, temperature: ArrayLike) -> FloatArray:
     reference = oil.density_temperature
     reference = STANDARD_TEMPERATURE if reference is None else reference
     if oil.thermal_expansion is None:
-        return density_of_lubricating_oil(temperature, oil.density, reference)
+        return density_from_standard(temperature, _standard_density(oil.density, reference))
     return density_by_expansion(temperature, oil.density, reference, oil.thermal_expansion)
+
+
+@lru_cache(maxsize=256)
+def _standard_density(density: float, temperature: float) -> FloatArray:
+    """Density at 15 °C of an oil by its density at another temperature; found once."""
+    return standard_density(density, temperature)
 
 
 def oil_state(lubricant: Lubricant, temperature: ArrayLike) -> OilState:

@@ -17,7 +17,14 @@ from rolamento.numerics.beside import compile_beside, compiles_here
 from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
 
-__all__ = ["goes_plainly", "ready", "share_out", "side_by_side", "thread_count"]
+__all__ = [
+    "goes_plainly",
+    "load_at_first_use",
+    "ready",
+    "share_out",
+    "side_by_side",
+    "thread_count",
+]
 
 LOADING: Final = 0.5
 """Seconds of plain Python in this process after which the compiler is worth loading."""
@@ -111,6 +118,11 @@ def goes_plainly(kernel: Kernel[..., Any], *, little: bool) -> bool:
     if kernel.is_cached or compiles_here():
         return False
     return (kernel.is_kept and compile_beside()) or _spent[0] < COMPILING
+
+
+def load_at_first_use() -> None:
+    """Load each kernel when it is first run, however little that is: this process runs on."""
+    _spent[0] = max(_spent[0], LOADING)
 
 
 def ready(kernel: Kernel[P, R]) -> Callable[P, R]:

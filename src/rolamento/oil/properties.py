@@ -342,13 +342,32 @@ def density_of_lubricating_oil(
     API MPMS 11.1 (1980), table 54D: ρ = ρ_15 exp(-a ΔT (1 + 0.8 a ΔT)), a = 0.6278/ρ_15, ΔT from
     15 °C. ρ_15 follows from the given density by iteration.
     """
-    known = within(reference_density, "reference_density", "kg/m^3", 100.0, 1e6)
     warm = _liquid_temperature(temperature, "temperature")
+    return density_from_standard(warm, standard_density(reference_density, reference_temperature))
+
+
+def standard_density(reference_density: ArrayLike, reference_temperature: ArrayLike) -> FloatArray:
+    """Density ρ_15 of a mineral lubricating oil at 15 °C from one at another temperature; kg/m³.
+
+    Parameters: arrays that broadcast; kg/m³, K. Returns the broadcast shape, found by iteration.
+    API MPMS 11.1 (1980), table 54D.
+    """
+    known = within(reference_density, "reference_density", "kg/m^3", 100.0, 1e6)
     reference = _liquid_temperature(reference_temperature, "reference_temperature")
     standard = known
     for _ in range(_DENSITY_STEPS):
         standard = known / _thermal_correction(reference, standard)
-    return np.asarray(standard * _thermal_correction(warm, standard))
+    return standard
+
+
+def density_from_standard(temperature: ArrayLike, standard: ArrayLike) -> FloatArray:
+    """Density of a mineral lubricating oil from ρ_15; kg/m³.
+
+    Parameters: arrays that broadcast; K, kg/m³. Returns the broadcast shape, by table 54D of
+    API MPMS 11.1 (1980).
+    """
+    warm, known = _liquid_temperature(temperature, "temperature"), np.asarray(standard)
+    return np.asarray(known * _thermal_correction(warm, known))
 
 
 def _thermal_correction(temperature: FloatArray, standard_density: FloatArray) -> FloatArray:

@@ -514,13 +514,13 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
     if not case.converged or nothing_given(case.analysis.solved):
         return ()
     alone = replace(report, cases=(case,))
+    keys = {said("rating life"): "life", said("speed"): "speed"}
     found = []
     for row in _summary_rows(alone):
-        if not row.known([case]):
-            continue
         shown = _shown(row.cell(case))
-        key = {said("rating life"): "life", said("speed"): "speed"}.get(row.label)
-        key = key or row.path or "theory"
+        if not shown:
+            continue
+        key = keys.get(row.label) or row.path or "theory"
         limit, share, tone = _limit_of(case, row)
         found.append(KeyFigure(key, row.label, shown, row.shown_unit, limit, share, tone))
     return (*found, *_tilt_figure(case))
@@ -534,23 +534,22 @@ def _shown(cell: str | doc.Number) -> str:
 
 def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, doc.Tone]:
     """What a row of the summary is held against: the limit, the share of it, the tone."""
-    checks = {check.name: check for check in case.checks}
     value = row.number(case)
     if row.path == "extremes.max_pressure" and value is not None:
-        known = [one.high for name, one in checks.items() if name.endswith("pressure")]
+        known = [check.high for check in case.checks if check.name.endswith("pressure")]
         least = min((one for one in known if one is not None), default=nan)
         if not least > 0.0:
             return "", None, ""
         return said("of {limit:.4 MPa}", limit=least), value / least, "bad" if value > least else ""
-    if row.path == "extremes.load_ratio" and "load" in checks and value is not None:
-        high = checks["load"].high
+    if row.path == "extremes.load_ratio" and value is not None:
+        high = next((check.high for check in case.checks if check.name == "load"), None)
         if high:
             return (
                 said("at least {limit:.3}", limit=1.0 / high),
                 1.0 / (high * value),
                 "bad" if value < 1.0 / high else "",
             )
-    if row.label == said("speed") and (limit := case.speed_limit):
+    if row.of is _speed and (limit := case.speed_limit):
         name = said(_OF_SPEED[limit.name])
         text = said("of {limit:.4 rpm} ({name})", limit=limit.speed, name=name)
         return text, limit.share, "warning" if limit.share > 1.0 else ""
@@ -558,9 +557,8 @@ def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, doc.
         if row.path == path and value is not None and value > 0.0:
             tone: doc.Tone = "" if value >= least else "bad" if value < refused else "warning"
             return said("at least {limit:.3}", limit=least), min(least / value, 9.0), tone
-    hours = _hours(case)
     required = case.case.life.required_life if case.case.life is not None else None
-    if row.label == said("rating life") and required and hours:
+    if required and row.label == said("rating life") and (hours := _hours(case)):
         wanted = required / 3600.0
         text = said("at least {hours:.4r} h", hours=wanted)
         return text, min(wanted / hours, 9.0), "bad" if hours < wanted else ""

@@ -56,6 +56,9 @@ _ENDS: Final = 0.57
 _DEEPEST: Final = 0.05
 """Depth of a profile on the drawing, over the roller's diameter."""
 _ARC: Final = 25
+_CIRCLE: Final = tuple(
+    (cos(a), sin(a)) for a in np.linspace(0.0, 2.0 * pi, 2 * _ARC, endpoint=False).tolist()
+)
 _LITTLE: Final = 0.01
 """Part of the greatest load below which an element counts as not loaded."""
 _TOP, _BOTTOM = 0.0, pi
@@ -324,8 +327,7 @@ class _Drawer:
     def _roller_race(self, row: _Row, *, outer: bool, ends: Point) -> list[Point]:
         """The race under a roller, and the ribs that hold it."""
         side = 1.0 if outer else -1.0
-        line = [_turned(row, u, side * half) for u, half in _halves(row)]
-        line.sort()
+        line = sorted(_turned(row, _halves(row), side))
         if row.kind.barrels:
             return line
         ribs = str(getattr(row.bearing, "outer_ribs" if outer else "inner_ribs", "none"))
@@ -363,7 +365,7 @@ class _Drawer:
                 for a in np.linspace(opening, -opening, _ARC).tolist()
             ]
             return [(inner, self.outside), *groove, (inner, self.inside)]
-        ends = [_turned(row, u, toward * row.way * v) for u, v in _halves(row)]
+        ends = _turned(row, _halves(row), toward * row.way)
         (x_in, r_in), (x_out, r_out) = sorted((ends[0], ends[-1]), key=lambda point: point[1])
         slope = (x_out - x_in) / (r_out - r_in)
         inside = (x_in + slope * (self.inside - r_in), self.inside)
@@ -375,14 +377,12 @@ class _Drawer:
     def _element(self, row: _Row, side: float) -> None:
         kind = "loaded" if self._load(row, side) > 0.0 else "element"
         if not row.kind.has_rollers:
-            turn = np.linspace(0.0, 2.0 * pi, 2 * _ARC, endpoint=False).tolist()
-            self._add(kind, [(row.x + 0.5 * row.size * cos(a), row.radius + 0.5 * row.size * sin(a))
-                             for a in turn], side)  # fmt: skip
+            half, radius = 0.5 * row.size, row.radius
+            self._add(kind, [(row.x + half * x, radius + half * y) for x, y in _CIRCLE], side)
             return
         halves, self.deeper = _profiled(row)
-        above = [_turned(row, u, half) for u, half in halves]
-        below = [_turned(row, u, -half) for u, half in reversed(halves)]
-        self._add(kind, [*above, *below], side)
+        above, below = _turned(row, halves, 1.0), _turned(row, halves, -1.0)
+        self._add(kind, [*above, *reversed(below)], side)
 
     def _which(self, row: _Row, side: float) -> int | None:
         """The element of a row that is nearest the top, or the bottom."""
@@ -594,13 +594,10 @@ def _rounded(value: float) -> float:
     return float(next(one * power for one in (5.0, 2.0, 1.0) if one * power <= value * 1.000001))
 
 
-def _turned(row: _Row, along: float, across: float) -> Point:
-    """A point of a roller: along its own axis, and across it."""
-    lean = row.lean
-    return (
-        row.x + along * cos(lean) - across * sin(lean),
-        row.radius + along * sin(lean) + across * cos(lean),
-    )
+def _turned(row: _Row, halves: Sequence[Point], side: float) -> list[Point]:
+    """Points of a roller, given along its own axis and across it, on one side of the axis."""
+    c, s, radius = cos(row.lean), sin(row.lean), row.radius
+    return [(row.x + u * c - side * v * s, radius + u * s + side * v * c) for u, v in halves]
 
 
 # --- with Matplotlib ------------------------------------------------------------------------------

@@ -372,6 +372,8 @@ class OnRing:
         which unknowns are free, the load that is asked of them, and where they begin; (n, 6)
     sound
         which cases can be solved; (n,)
+    tangents
+        whether the rows' own stiffness is asked for too
     """
 
     which: Indices
@@ -384,6 +386,7 @@ class OnRing:
     target: FloatArray
     start: FloatArray
     sound: BoolArray
+    tangents: bool = False
 
 
 @frozen

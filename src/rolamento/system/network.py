@@ -159,8 +159,7 @@ class RowBetween:
 
     def on_nodes(self, force: FloatArray) -> FloatArray:
         """A force on the row in its own frame as the inner node puts it; (cases, 5)."""
-        t = seen_by_row(self.way, self.lever)
-        return np.asarray((np.swapaxes(t, 1, 2) @ force[..., np.newaxis])[..., 0])
+        return seen_by_ring(self.way, self.lever, force)
 
     def moved(self, places: Mapping[int, int]) -> RowBetween:
         """The same among other nodes."""
@@ -183,6 +182,15 @@ def seen_by_row(way: float, lever: FloatArray) -> FloatArray:
     t[:, 1, 1] = t[:, 2, 2] = 1.0
     t[:, 1, 4], t[:, 2, 3] = lever, -lever
     return t
+
+
+def seen_by_ring(way: float, lever: FloatArray, force: FloatArray) -> FloatArray:
+    """T' f: forces on the row in its own frame as the inner node puts them; (cases, ..., 5)."""
+    seen: FloatArray = force * np.array([way, 1.0, 1.0, way, way]) + 0.0  # no -0.0
+    arm = lever.reshape(len(lever), *(1 for _ in force.shape[2:]))
+    seen[..., 3] -= arm * force[..., 2]
+    seen[..., 4] += arm * force[..., 1]
+    return seen
 
 
 @frozen(eq=False)

@@ -77,7 +77,9 @@ class RowsOnRing:
     def solve(self, which: Index = slice(None)) -> Rest:
         """Solve all cases, or some."""
         chosen = np.arange(len(self.cases))[which]
-        hopeless = self.cases.unconstrained[chosen] & self._sound(chosen)
+        hopeless = self.cases.unconstrained[chosen]
+        if hopeless.any():
+            hopeless &= self._sound(chosen)
         rest = self._solve(chosen)
         rest.number[hopeless], rest.unsupported[hopeless] = NO_EQUILIBRIUM, 0
         rest.unsupported[rest.unsupported >= FIVE] = 0  # a slide that nothing holds: along x
@@ -234,13 +236,15 @@ class RowsOnRing:
 
     def _pushed(self, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:
         """Where what is loose begins: pushed in by the load, for rows that touch are stiff."""
+        begin = np.zeros(target.shape)
+        if not (self._sprung or loose.any()):
+            return begin
         sizes = [placed.row.sizes for placed in self.cases.rows]
         counts = [placed.row.element_count for placed in self.cases.rows]
         stiffness = np.sum(
             [size.stiffness[chosen] * count for size, count in zip(sizes, counts, strict=True)],
             axis=0,
         )
-        begin = np.zeros(target.shape)
         radial = np.hypot(target[:, 1], target[:, 2])
         away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
         for i in (1, 2):
@@ -302,12 +306,12 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
 
 def condensed(stiffness: FloatArray) -> FloatArray:
     """The ring's stiffness (cases, 5, 5), with the springs' slide following."""
-    ring = stiffness[:, :FIVE, :FIVE].copy()
+    ring = stiffness[:, :FIVE, :FIVE]
     if stiffness.shape[1] > FIVE:
         slide = stiffness[:, SLIDE, SLIDE]
         follow = np.divide(
             stiffness[:, SLIDE, :FIVE], slide[:, np.newaxis], where=slide[:, np.newaxis] > 0.0,
             out=np.zeros((len(slide), FIVE)),
         )  # fmt: skip
-        ring -= stiffness[:, :FIVE, SLIDE, np.newaxis] * follow[:, np.newaxis, :]
+        ring = ring - stiffness[:, :FIVE, SLIDE, np.newaxis] * follow[:, np.newaxis, :]
     return ring

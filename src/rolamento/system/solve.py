@@ -145,10 +145,10 @@ def _side_by_side(rows: Sequence[FloatArray]) -> FloatArray:
 
 def _carried(cases: Cases, balanced: Balanced) -> FloatArray:
     """What the ring carries through each row; (cases, rows, 5), in the bearing's frame."""
-    from rolamento.system.network import seen_by_row
+    from rolamento.system.network import seen_by_ring
 
     parts = [
-        np.einsum("nij,nfi->nfj", seen_by_row(placed.sign, placed.lever), held.face_forces)
+        seen_by_ring(placed.sign, placed.lever, held.face_forces)
         for placed, held in zip(cases.rows, balanced.rows, strict=True)
     ]
     return np.concatenate(parts, axis=1)

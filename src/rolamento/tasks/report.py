@@ -233,10 +233,10 @@ class CaseReport:
 
         None at rest, and where none is known.
         """
-        from rolamento.analysis.speed_limits import speed_limits
+        from rolamento.analysis.speed_limits import limiting_speeds
 
         try:
-            limits = {one.name: one for one in speed_limits(self.case).limits}
+            limits = {one.name: one for one in limiting_speeds(self.case)}
         except InputError:  # different rolling elements have no limit together
             return None
         oil, film = self.case.lubricant, self.case.film

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import fields, replace
 from functools import cached_property, lru_cache
 from time import perf_counter
 from typing import Any, Final
@@ -20,6 +20,7 @@ from rolamento.errors import InputError
 from rolamento.pages.given import no_load_text
 from rolamento.pages.report import (
     PARTS,
+    KeyFigure,
     comparison_sections,
     key_figures,
     part_of,
@@ -191,8 +192,7 @@ def _documents(
     shown = [None if one is None else next(own) for one in found]
     return {
         "figures": [
-            [] if one is None else [asdict(figure) for figure in key_figures(one, report)]
-            for one in shown
+            [] if one is None else list(map(_table_of, key_figures(one, report))) for one in shown
         ],
         "summary": _html(differing),
         "same": _html(same),
@@ -200,6 +200,10 @@ def _documents(
         "notes": "" if quick else _html(remarks_section(report)),
         "sections": {key: _html(part_of(report, key)) for key in wanted},
     }
+
+
+def _table_of(figure: KeyFigure) -> dict[str, Any]:
+    return {one.name: getattr(figure, one.name) for one in fields(figure)}
 
 
 def _html(section: Section | None) -> str:

@@ -37,7 +37,8 @@ def section_svg(case: Case, solved: Solved | None = None, *, mark: str = "hatch"
 def _svg(drawing: SectionDrawing, begins: str) -> str:
     left, bottom, wide, tall = (_MM * one for one in drawing.box)
     letter = _MM * drawing.letter
-    mark = f"{begins}-{crc32(repr(drawing.outlines).encode()):x}"
+    paths = [_path(one.points) + ("Z" if one.closed else "") for one in drawing.outlines]
+    mark = f"{begins}-{crc32(''.join(paths).encode()):x}"
     parts = [
         f'<svg class="section-drawing" viewBox="{left:.3f} {-bottom - tall:.3f} {wide:.3f} '
         f'{tall:.3f}" role="img" aria-label="{escape(drawing.said)}">',
@@ -47,8 +48,7 @@ def _svg(drawing: SectionDrawing, begins: str) -> str:
         'patternTransform="rotate(45)"><path class="hatching" '
         f'd="M0 0V{0.5 * letter:.3f}" stroke-width="{0.09 * letter:.3f}"/></pattern></defs>',
     ]
-    for one in drawing.outlines:
-        path = _path(one.points) + ("Z" if one.closed else "")
+    for one, path in zip(drawing.outlines, paths, strict=True):
         fill = f' fill="url(#{mark})"' if one.kind == "housing" else ""
         parts.append(f'<path class="{one.kind}"{fill} d="{path}"/>')
     for arrow in drawing.arrows:

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
+from rolamento.numerics.threads import load_at_first_use
 from rolamento.words import languages, speaking
 
 __all__ = ["Warmth", "make_follower_ready", "make_ready", "make_worker_ready"]
@@ -30,10 +31,7 @@ _SET: Final = {
     "duty": {**_SPEED, "load": {"fz": "2 kN"}},
 }
 _ROLLERS: Final = {"bearing": {"designation": "NU 208"}, "duty": {**_SPEED, "load": {"fz": "5 kN"}}}
-_REST: Final = {
-    "lubricant": {"name": "ISO VG 68", "friction_coefficient": 0.1},
-    "temperature": {"lubricant": "70 degC"},
-}
+_REST: Final = {"lubricant": "ISO VG 68", "temperature": {"lubricant": "70 degC"}}
 
 
 @dataclass
@@ -56,6 +54,7 @@ def make_ready(warmth: Warmth) -> None:
         *(lambda case=case: _follow(case) for case in (_BALLS, _SET, _ROLLERS)),
     )
     warmth.total = len(steps)
+    load_at_first_use()
     for step in steps:
         try:
             step()
@@ -68,6 +67,7 @@ def make_ready(warmth: Warmth) -> None:
 
 def make_follower_ready() -> None:
     """Load and compile what follows a hand, in a process that answers nothing else."""
+    load_at_first_use()
     for case in (_BALLS, _SET, _ROLLERS):
         _follow(case)
     _settle_memory()
@@ -107,7 +107,9 @@ def _follow(tables: dict[str, Any]) -> None:
     for quick in (False, True):
         request = {"case": {**tables, **_REST}, "changes": {}}
         seen = {"pictures": list(PICTURES), "sections": [] if quick else list(PARTS)}
-        live({"cases": [request], **seen, "quick": quick})
+        (answer,) = live({"cases": [request], **seen, "quick": quick})["cases"]
+        if answer["error"] is not None:
+            raise RuntimeError(answer["error"]["message"])
 
 
 def _case(tables: dict[str, Any]) -> Any:

@@ -46,6 +46,10 @@ class Batch(NamedTuple):
     mirror: Mirror
 
 
+_LINE: Final = 8
+"""Numbers of a cache line."""
+
+
 class Room(NamedTuple):
     """Room for as many cases as there are lanes.
 
@@ -65,17 +69,26 @@ class Room(NamedTuple):
 
 
 @shared
+def in_lanes(count: int, rows: int) -> Array:
+    """Workspaces of so many rows of lanes, (count, rows * lanes): no vector across cache lines."""
+    size = count * rows * _LANES
+    room = np.zeros(size + _LINE)
+    first = -(room.ctypes.data // 8) % _LINE
+    return room[first : first + size].reshape((count, rows * _LANES))
+
+
+@shared
 def room_for(balls: int) -> Room:
     """Make room for cases of so many balls."""
-    rings = np.zeros((layout.RING_ROWS, _LANES))
+    rings = in_lanes(1, layout.RING_ROWS).reshape((layout.RING_ROWS, _LANES))
     return Room(
         rings,
         rings.reshape(rings.size),
-        np.zeros((balls, layout.BALL_ROWS * _LANES)),
+        in_lanes(balls, layout.BALL_ROWS),
         np.full(_LANES, -1),
         np.zeros(_LANES, np.int64),
         np.zeros((balls, 2)),
-        np.zeros(6 * _LANES),
+        in_lanes(1, 6)[0],
     )
 
 
@@ -237,12 +250,19 @@ def read_position(b: Array, lane: int, x: Array, ball: int) -> None:
 
 
 @inline_exact
-def read_reaction(w: Array, lane: int, reaction: Array, stiffness: Array) -> None:
-    """Write what a lane's balls ask of their ring, in SI: reaction (5,), stiffness (5, 5)."""
+def read_reaction(w: Array, lane: int, reaction: Array) -> None:
+    """Write what a lane's balls ask of their ring, in SI; (5,)."""
+    arm = w[layout.ARM * _LANES + lane]
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        reaction[i] = arm_of(i, arm) * w[(layout.REACTION + i) * _LANES + lane]
+
+
+@inline_exact
+def read_stiffness(w: Array, lane: int, stiffness: Array) -> None:
+    """Write the derivative of that by the ring's place, in SI; (5, 5)."""
     arm = w[layout.ARM * _LANES + lane]
     for i in range(layout.DEGREES_OF_FREEDOM):
         own = arm_of(i, arm)
-        reaction[i] = own * w[(layout.REACTION + i) * _LANES + lane]
         for j in range(layout.DEGREES_OF_FREEDOM):
             row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
             stiffness[i, j] = own * arm_of(j, arm) * w[row * _LANES + lane]
@@ -510,4 +530,5 @@ def judge_blocks(
             if w[layout.DOUBTFUL * _LANES + lane] > 0.0:
                 residual[case] = worst_in_lane(room.rings, b, room.errors, lane)
             accepted[block + lane] = residual[case] <= status.TOLERANCE
-            read_reaction(w, lane, reaction[case], stiffness[case])
+            read_reaction(w, lane, reaction[case])
+            read_stiffness(w, lane, stiffness[case])

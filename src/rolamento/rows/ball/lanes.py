@@ -122,6 +122,9 @@ SHORT_STEP: Final = 0.25
 LEAST_PRESSED: Final = 0.1
 """Fraction of the approach under its own centrifugal force, at the outer race: no ball is pressed
 less."""
+PLACED: Final = 3e-10
+"""Of a ball in a set that is near enough for its last step: what that leaves, over its greatest
+load, is less."""
 DRIVE: Final = -1e-30
 """A cage that turns faster lags less, or all that is known of it is the direction to go."""
 
@@ -243,8 +246,12 @@ def _linearised(w: Array, b: Array, i: int, a1: float, a2: float) -> Linearised:
     return ball
 
 
-def _balls(tilting: bool) -> tuple[Any, Any]:
-    """Build the passes over one ball of every lane, for rings that tilt and rings that do not."""
+def _balls(tilting: bool, placed: float) -> tuple[Any, Any]:
+    """Build the passes over one ball of every lane, for rings that tilt and rings that do not.
+
+    placed: what a ball's next step may leave of its residual, over its greatest load; where it is
+    zero, only the residual counts.
+    """
     _, add_to_ring, add_to_cage = _sums(inline_fast, tilting)
 
     @vector_loop
@@ -259,11 +266,12 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, (k11, k12, k21, k22, k11, k12))
 
     @vector_loop
-    def add_moving_ball(w: Array, b: Array, tolerance: float, loosely: float) -> None:
+    def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
         """A ball in motion: its residual, its step, and the ring's view of it.
 
-        tolerance: of its residual, over its own greatest load; loosely: the same over the load of
-        its inner contact, the square of which its step leaves.
+        tolerance: of its residual, over its own greatest load. A step leaves a part of the square
+        of the residual over the load of the inner contact, which bends, and of its own square
+        over approach and groove's offset, where it turns the load.
         """
         for i in range(N):
             a1, a2 = _groove_fast(w, b, i)
@@ -271,9 +279,14 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
                 w, b, i, a1, a2
             )
             r1, r2 = residual
-            allowed = max(tolerance * scale, loosely * touch[0])
-            w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
             q1, q2, w11, w12, w21, w22, z1, z2 = follow
+            square, allowed = r1 * r1 + r2 * r2, tolerance * scale
+            fault = square - allowed * allowed
+            if placed > 0.0:
+                bends = square - placed * scale * touch[0]
+                turns = q1 * q1 + q2 * q2 - placed * w[_L_O + i] * touch[3]
+                fault = min(fault, max(bends, turns))
+            w[_FAULT + i] = max(w[_FAULT + i], fault)
             b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
             b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, stiffness)
@@ -282,7 +295,7 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
     return add_static_ball, add_moving_ball
 
 
-add_static_ball, add_moving_ball = _balls(tilting=True)
+add_static_ball, add_moving_ball = _balls(tilting=True, placed=PLACED)
 
 _add_force_exact, _add_to_ring_exact, _add_to_cage_exact = _sums(inline_exact, tilting=True)
 
@@ -837,7 +850,7 @@ def any_astray(w: Array) -> bool:
 
 def _steps(tilting: bool) -> tuple[Any, Any]:
     """Build a whole step of all lanes, for rings that tilt and rings that do not."""
-    add_static_ball, add_moving_ball = _balls(tilting)
+    add_static_ball, add_moving_ball = _balls(tilting, 0.0)
     measure_ring, condense_cage, step_ring, step_cage = _ring(tilting)
 
     @filling
@@ -864,11 +877,11 @@ def _steps(tilting: bool) -> tuple[Any, Any]:
         """
         reset_sums(w)
         for j in range(mirror.pairs):
-            add_moving_ball(w, b[j], tolerance, 0.0)
+            add_moving_ball(w, b[j], tolerance)
         if mirror.pairs > 0:
             reflect(w, mirror.factors)
         for j in range(mirror.pairs, b.shape[0]):
-            add_moving_ball(w, b[j], tolerance, 0.0)
+            add_moving_ball(w, b[j], tolerance)
         measure_ring(w)
         measure_cage(w)
         condense_cage(w)

@@ -129,7 +129,8 @@ class BallResponse:
     def put(self, cases: NDArray[np.intp], part: Self) -> None:
         """Copy what some of the cases answered to their places."""
         for whole, piece in zip(self.arrays(), part.arrays(), strict=True):
-            whole[cases] = piece
+            if whole.flags.writeable:  # else no case has it
+                whole[cases] = piece
 
 
 def solve_columns(

@@ -17,6 +17,7 @@ from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import is_finite, judge
 from rolamento.rows.ball.blocks import (
     begin_lane,
+    in_lanes,
     put_ball,
     put_displacement,
     put_numbers,
@@ -24,6 +25,7 @@ from rolamento.rows.ball.blocks import (
     put_reaction,
     read_position,
     read_reaction,
+    read_stiffness,
     worst_in_lane,
 )
 from rolamento.rows.ball.mirror import Mirror, mirror
@@ -34,14 +36,12 @@ from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADE
 from rolamento.status import TOLERANCE as TOLERANCE_OF_ROWS
 
 STATIC_STEPS: Final = 16
-START_STEPS: Final = 6  # of a static start for moving balls
+START_STEPS: Final = 5  # of a static start for moving balls
 MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 0.05  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
 BALANCED: Final = 1e-6
 """The same of a ring and its cages beside moving balls, whose steps decide."""
-PLACED: Final = 5e-6
-"""The same of a ball, over the load of its inner contact."""
 SPRINGS: Final = 9
 """As many balls, evenly spread, stand for those of a row where a static start is looked for."""
 PRECISION: Final = 1e-10
@@ -96,7 +96,7 @@ class Balance(NamedTuple):
     residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
     (cases, balls, 2).
     Of the rows: displacement, scaled, reaction (rows, cases, 5), cage, row_residual, code (rows,
-    cases), row_stiffness (rows, cases, 5, 5).
+    cases), row_stiffness (rows, cases, 5, 5), or (rows, 0, 5, 5) where nobody asks for it.
     """
 
     place: Array
@@ -144,14 +144,14 @@ class Work(NamedTuple):
     @classmethod
     def of(cls, rows: int, balls: int, springs: int, parameters: int) -> Work:
         """Make room for rows of so many balls and springs in all, of so many parameters each."""
-        w = np.zeros((rows, layout.RING_ROWS * _LANES))
+        w = in_lanes(rows, layout.RING_ROWS)
         return cls(
-            s=np.zeros(set_lanes.SET_ROWS * _LANES),
-            v=np.zeros((rows, STAND_ROWS * _LANES)),
+            s=in_lanes(1, set_lanes.SET_ROWS)[0],
+            v=in_lanes(rows, STAND_ROWS),
             w=w,
             rings=w.reshape(rows, layout.RING_ROWS, _LANES),
-            b=np.zeros((balls, layout.BALL_ROWS * _LANES)),
-            springs=np.zeros((springs, layout.BALL_ROWS * _LANES)),
+            b=in_lanes(balls, layout.BALL_ROWS),
+            springs=in_lanes(springs, layout.BALL_ROWS),
             holds=np.zeros(_LANES, np.int64),
             steps=np.zeros(_LANES, np.int64),
             column=np.zeros((parameters, 1)),
@@ -159,7 +159,7 @@ class Work(NamedTuple):
             ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
-            contacts=np.zeros(6 * _LANES),
+            contacts=in_lanes(1, 6)[0],
             accepted=np.zeros((rows, _LANES), np.bool_),
         )
 
@@ -387,7 +387,7 @@ def _settle_moving(
         for row in range(w.shape[0]):
             lanes.reset_sums(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
-                lanes.add_moving_ball(w[row], b[j], TOLERANCE, PLACED)
+                lanes.add_moving_ball(w[row], b[j], TOLERANCE)
             lanes.measure_cage(w[row])
             lanes.condense_cage(w[row])
             set_lanes.add_row(s, v[row], w[row])
@@ -423,7 +423,7 @@ def _settle_moving(
 
 
 @filling
-def _judge_in_lanes(
+def _judgein_lanes(
     work: Work, rows: Rows, block: int, chosen: NDArray[np.int64], found: Balance
 ) -> None:
     """Judge the rows of as many cases as there are lanes, with inertia, as `blocks` judges one row.
@@ -517,7 +517,7 @@ def _judge(
             work.accepted[row, lane] = False
             found.code[row, case] = NOT_CONVERGED
     if moving:
-        _judge_in_lanes(work, rows, block, chosen, found)
+        _judgein_lanes(work, rows, block, chosen, found)
     for lane in range(count):
         case = chosen[block + lane]
         for row in range(w.shape[0]):
@@ -536,7 +536,9 @@ def _judge(
         for row in range(w.shape[0]):
             code = found.code[row, case]
             sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-            read_reaction(w[row], lane, found.reaction[row, case], found.row_stiffness[row, case])
+            read_reaction(w[row], lane, found.reaction[row, case])
+            if found.row_stiffness.shape[1] > 0:
+                read_stiffness(w[row], lane, found.row_stiffness[row, case])
         arm, place = asked.arm[block + lane], found.place[case]
         force, stiffness = found.force[case], found.stiffness[case]
         for i in range(UNKNOWNS):

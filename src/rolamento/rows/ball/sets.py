@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from typing import Any, Final
 
 import numpy as np
@@ -84,7 +85,7 @@ def _bounded(
         [count * p[layout.SERIES_STIFFNESS] for count, p in zip(balls, columns, strict=True)],
         axis=0,
     )
-    into = (_HEAVIEST * np.abs(target * free).max(axis=1) / stiffness) ** (2.0 / 3.0)
+    into = (_HEAVIEST * reduce(np.maximum, np.abs(target * free).T) / stiffness) ** (2.0 / 3.0)
     play = np.zeros_like(into)
     for p, own in zip(columns, stand, strict=True):
         reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
@@ -133,7 +134,7 @@ class _Run:
             position=np.empty((n, balls, 2)),
             displacement=np.empty((count, n, five)),
             reaction=np.empty((count, n, five)),
-            row_stiffness=np.empty((count, n, five, five)),
+            row_stiffness=np.empty((count, n if ring.tangents else 0, five, five)),
             cage=np.full((count, n), np.nan),
             row_residual=np.full((count, n), np.nan),
             code=np.full((count, n), status.INVALID_INPUT),
@@ -186,7 +187,8 @@ class _Run:
         for array in (found.place, found.force, found.stiffness, found.position):
             array[lost] = np.nan
         for array in (found.displacement, found.reaction, found.row_stiffness):
-            array[:, lost] = np.nan
+            if array.shape[1]:
+                array[:, lost] = np.nan
         return Proposal(
             place=found.place,
             force=found.force,
@@ -199,6 +201,9 @@ class _Run:
 
     def _held(self) -> Iterator[BallResponse]:
         found, n = self.found, len(self.found.steps)
+        tangents = found.row_stiffness
+        if not tangents.shape[1]:
+            tangents = np.broadcast_to(np.nan, (len(self.rows), n, *tangents.shape[2:]))
         for row, (p, a, z) in enumerate(
             zip(self.columns, self._ends[:-1], self._ends[1:], strict=True)
         ):
@@ -207,7 +212,7 @@ class _Run:
                 cage=found.cage[row],
                 position=found.position[:, a:z],
                 force=found.reaction[row],
-                stiffness=found.row_stiffness[row],
+                stiffness=tangents[row],
                 residual=found.row_residual[row],
                 number=found.code[row],
                 unsupported=np.full(n, -1),

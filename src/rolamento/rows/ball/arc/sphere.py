@@ -167,7 +167,7 @@ class SphereRow:
         target[:, :3] = from_ring(tilt, ring.target[:, :3])
         start[:, :3] = from_ring(tilt, ring.start[:, :3])
         sound = ring.sound & (ring.free == shifts).all(axis=1)
-        seen = replace(ring, target=target, start=start, sound=sound)
+        seen = replace(ring, target=target, start=start, sound=sound, tangents=True)
         found = self.row.together([row.row for row in spheres], seen)
         if found is None:
             return None
