@@ -115,9 +115,10 @@ class _Init:
 
     def __init__(self, cls: Any) -> None:
         self._cls = cls
+        self._names = vars(sys.modules[cls.__module__])  # of a script, it may be gone by then
 
     def __get__(self, record: object, cls: Any) -> Any:
-        self._cls.__init__ = init = _init_of(self._cls)
+        self._cls.__init__ = init = _init_of(self._cls, self._names)
         return init if record is None else init.__get__(record, cls)
 
 
@@ -128,8 +129,11 @@ class _Made:
         return "<made>"
 
 
-def _init_of(cls: Any) -> Callable[..., None]:
-    """Write the ``__init__`` of a record: what a dataclass has, in one piece of code."""
+def _init_of(cls: Any, names: dict[str, Any]) -> Callable[..., None]:
+    """Write the ``__init__`` of a record: what a dataclass has, in one piece of code.
+
+    names: of the module that it is of.
+    """
     known: dict[str, Any] = {"_set": object.__setattr__, "_made": _Made()}
     by_place: list[str] = []
     by_name: list[str] = []
@@ -153,7 +157,7 @@ def _init_of(cls: Any) -> Callable[..., None]:
         f"def make({', '.join(known)}):\n def __init__({parameters}):\n  {body}\n return __init__"
     )
     written: dict[str, Any] = {}
-    exec(code, vars(sys.modules[cls.__module__]), written)
+    exec(code, names, written)
     init: Callable[..., None] = written["make"](**known)
     init.__annotations__ = {**{one.name: one.type for one in fields(cls)}, "return": None}
     init.__qualname__ = f"{cls.__qualname__}.__init__"

@@ -5,7 +5,9 @@ from __future__ import annotations
 import copy
 import inspect
 import pickle
+import runpy
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -268,3 +270,13 @@ def test_a_case_prints_what_was_given() -> None:
         "Case(bearing=Bearing(designation='6310/C3'), duty=Duty(load=Load(fz=5000.0)))"
     )
     assert str(case) == repr(case)
+
+
+def test_a_record_of_a_script_outlives_its_run(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(
+        "from rolamento.records import frozen\n"
+        "@frozen\nclass Pair:\n    first: int\n    second: int = 2\n"
+    )
+    pair = runpy.run_path(str(script), run_name="script")["Pair"]
+    assert pair(1).second == 2

@@ -258,6 +258,10 @@ def test_quantities_of_a_case_keep_their_digits() -> None:
     assert Manner(",").localised("22.23 mm") == "22,23 mm"
     assert Manner(".").localised("10000 rpm") == "10 000 rpm"
     assert Manner(".").localised("-20 kN") == "−20 kN"
+    assert Manner(",").localised("0.5 deg") == "0,5°"
+    assert Manner(".").localised("70 degC") == "70 °C"
+    assert Manner(".").localised("-20 N m") == "−20 N·m"
+    assert Manner(".").localised("51210") == "51210"  # a designation
 
 
 def test_decimal_marks_fall_below_each_other() -> None:

@@ -111,7 +111,7 @@ def race_name(race: Race | str) -> str:
 
 def quantity(value: float, dimension: Dimension) -> str:
     """Write a value of a case with its unit, as in a case file; a computed one shorter."""
-    return manner().localised(readable(value, dimension)).replace(" deg", "°")
+    return manner().localised(readable(value, dimension))
 
 
 # --- bearing -----------------------------------------------------------------------------------

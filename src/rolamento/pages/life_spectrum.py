@@ -29,7 +29,7 @@ from rolamento.pages.life import (
 from rolamento.pages.notes import cautions
 from rolamento.pages.shaft import together_statement
 from rolamento.units import HOUR
-from rolamento.words import Note, said
+from rolamento.words import Note, manner, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life, theory_name
 
@@ -253,6 +253,7 @@ def _columns(found: SpectrumLife, steps: NDArray[np.int64], *, shortened: bool) 
     fields = Case.fields()
     for name, cells in found.steps.cells.items():
         values = [cells[step] for step in steps]
+        values = [manner().localised(one) for one in values] if shortened else values
         label = fields[name].label
         head = "\n".join(wrap(label, _HEAD)) if shortened else label
         room -= max(map(len, (*head.split("\n"), *values))) + 2

@@ -24,7 +24,7 @@ from rolamento.tasks.report import Input
 from rolamento.types import BALL, ROLLER, TYPES
 from rolamento.units import Dimension, from_si, to_si, usual_units
 from rolamento.web.answers import written
-from rolamento.words import language, said, spelling
+from rolamento.words import language, said, spelling, unit_sign
 
 __all__ = ["FIRST", "form", "in_labels", "inputs", "labelled", "likely", "suitable", "units"]
 
@@ -79,7 +79,6 @@ _USUAL_PART: Final = 0.2
 """Part of the greatest likely value that an example asks for."""
 _OF_MOMENT: Final = 0.05
 """Moment at the end of a slider, over rating and pitch diameter: a load beside the middle."""
-_SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
 
 
 def in_labels(
@@ -186,12 +185,9 @@ def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
         if unit in _MICROMETRES:
             continue
         offset = to_si(f"0 {unit}", dimension) if dimension == "temperature" else 0.0
-        label = unit
-        for typed, sign in _SIGNS:
-            label = label.replace(typed, sign)
         yield {
             "unit": unit,
-            "label": label,
+            "label": unit_sign(unit),
             "factor": to_si(f"1 {unit}", dimension) - offset,
             "offset": offset,
         }

@@ -9,6 +9,7 @@ from rolamento.words.manner import (
     decimals_for,
     in_unit,
     unit_of,
+    unit_sign,
 )
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
@@ -45,5 +46,6 @@ __all__ = [
     "speaking",
     "spelling",
     "unit_of",
+    "unit_sign",
     "worded",
 ]

@@ -25,7 +25,16 @@ from math import floor, inf, isfinite, log10, pi
 from string import Formatter
 from typing import Any, Final
 
-__all__ = ["ABSENT", "ENDLESS", "UNITS", "Manner", "decimals_for", "in_unit", "unit_of"]
+__all__ = [
+    "ABSENT",
+    "ENDLESS",
+    "UNITS",
+    "Manner",
+    "decimals_for",
+    "in_unit",
+    "unit_of",
+    "unit_sign",
+]
 
 ABSENT: Final = "–"
 """What stands for a number that does not exist."""
@@ -110,6 +119,7 @@ _SMALLEST_GROUPED: Final = 10_000
 _FIGURES: Final = 4
 _SMALLEST, _GREATEST = 1e-4, 1e8
 _SPECIFICATION: Final = re.compile(r"(\+?)(?:\.(\d+)([fegr]?))?(?: ?(\[)?([^\[\]]*)\]?)?")
+_SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
 _CLOSE: Final = ("°",)
 """Units that stand at the number without a space."""
 
@@ -138,6 +148,13 @@ def unit_of(specification: str) -> str:
     """Return the unit of a specification of a number, written or not (see the module)."""
     found = _SPECIFICATION.fullmatch(specification)
     return found[5] if found and found[5] in UNITS else ""
+
+
+def unit_sign(unit: str) -> str:
+    """Return a unit of a case file, such as ``"N m"``, as pages write it: N·m, °C, mm²/s."""
+    for typed, sign in _SIGNS:
+        unit = unit.replace(typed, sign)
+    return unit
 
 
 @lru_cache(maxsize=1024)
@@ -210,15 +227,17 @@ class Manner(Formatter):
         return self.fixed(rounded, max(figures - 1 - floor(log10(abs(rounded))), 0))
 
     def localised(self, quantity: str) -> str:
-        """Write a quantity of a case file, such as ``"22.23 mm"``, with the decimal mark."""
+        """Write a quantity of a case file, such as ``"22.23 mm"``, as a page does."""
         number, space, unit = quantity.partition(" ")
         try:
             value = float(number)
         except ValueError:
             return quantity
-        if abs(value) >= _SMALLEST_GROUPED and value.is_integer():
+        if unit and abs(value) >= _SMALLEST_GROUPED and value.is_integer():
             number = self.fixed(value, 0)
-        return number.replace("-", _MINUS).replace(".", self.mark) + space + unit
+        unit = unit_sign(unit)
+        number = number.replace("-", _MINUS).replace(".", self.mark)
+        return number + ("" if unit in _CLOSE else space) + unit
 
     def number(self, value: float, specification: str = "") -> str:
         """Write an SI value by a specification (see the module)."""
