@@ -228,7 +228,8 @@ def _texts_in(function: Any) -> Iterable[str]:
 
 
 def _code_places(sentence: str) -> str:
-    return re.sub(r"\{([^{}]*)\}", r"`{\1}`", sentence).replace("<", "&lt;").replace("*", "\\*")
+    coded = re.sub(r"`[^`]*`|\{[^{}]*\}", lambda found: f"`{found[0].strip('`')}`", sentence)
+    return coded.replace("<", "&lt;").replace("*", "\\*")
 
 
 # --- what the program knows by name ---------------------------------------------------------------

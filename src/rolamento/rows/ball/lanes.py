@@ -123,8 +123,8 @@ LEAST_PRESSED: Final = 0.1
 """Fraction of the approach under its own centrifugal force, at the outer race: no ball is pressed
 less."""
 PLACED: Final = 3e-10
-"""Of a ball in a set that is near enough for its last step: what that leaves, over its greatest
-load, is less."""
+"""A ball in a set is near enough for its last step where what that leaves, over its greatest load,
+is less."""
 DRIVE: Final = -1e-30
 """A cage that turns faster lags less, or all that is known of it is the direction to go."""
 
