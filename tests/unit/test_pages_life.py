@@ -451,7 +451,7 @@ def test_files_of_a_curve_have_all_its_points() -> None:
 def test_a_setting_has_the_label_of_its_field() -> None:
     assert setting_name("life.contamination=0.8") == "contamination factor e_C = 0.8"
     with speaking("pt"):
-        assert setting_name("temperature.lubricant=70.5 degC") == (
-            "temperatura do lubrificante = 70,5 degC"
+        assert setting_name("temperature.lubricant=70.5 °C") == (
+            "temperatura do lubrificante = 70,5 °C"
         )
     assert setting_name("nothing of ours") == "nothing of ours"
