@@ -109,7 +109,7 @@ def _pass_over_balls(w: Floats, b: Floats, passes: int) -> None:
     for _ in range(passes):
         lanes.reset_sums(w)
         for j in range(b.shape[0]):
-            lanes.add_moving_ball(w, b[j], 1e-5, 0.0)
+            lanes.add_moving_ball(w, b[j], 1e-5)
 
 
 def _filled_lanes() -> tuple[Floats, Floats]:
