@@ -484,7 +484,7 @@ class _Asked:
     def answer(self, title: str) -> SpeedLimits:
         limits, notes = self._listed(), list[Note]()
         found = self._reference(limits, notes)
-        shares = None if found is None else self._permissible(found, limits, notes)
+        shares = None if found is None else self._permissible(*found, limits, notes)
         self._of_maker(limits, notes)
         of_kind = self._minimum_loads if self.element == "ball" else self._minimum_of_rollers
         loads = tuple(of_kind(limits, notes))
@@ -517,8 +517,8 @@ class _Asked:
 
     def _reference(
         self, limits: list[SpeedLimit], notes: list[Note]
-    ) -> ReferenceCoefficients | None:
-        """Reference speed; its coefficients, None where there is none."""
+    ) -> tuple[ReferenceCoefficients, float] | None:
+        """Reference speed, with its coefficients; None where there is none."""
         given = self.boundary
         type_ = self.case.bearing.bearing_type
         if type_.washers and not type_.has_rollers:
@@ -543,13 +543,17 @@ class _Asked:
         left_out = {"rows": given.rows > 1, "ceramic": self._is_hybrid, "parts": self._parts}
         if any(left_out.values()):
             notes.append(Note("reference_speed_leaves_out", left_out))
-        return found
+        return found, speed
 
     def _permissible(
-        self, found: ReferenceCoefficients, limits: list[SpeedLimit], notes: list[Note]
+        self,
+        found: ReferenceCoefficients,
+        speed: float,
+        limits: list[SpeedLimit],
+        notes: list[Note],
     ) -> HeatShares | None:
-        """Permissible speed, where limits end with that of reference; K_L and K_P."""
-        given, speed = self.boundary, limits[-1].speed
+        """Permissible speed, from that of reference; K_L and K_P."""
+        given = self.boundary
         if self.viscosity is None:
             notes.append(Note("no_permissible_speed"))
             return None

@@ -190,6 +190,11 @@ class Duty(Record):
         )
 
     @property
+    def turns(self) -> bool:
+        """Whether a ring turns."""
+        return self.inner_speed != 0.0 or self.outer_speed != 0.0
+
+    @property
     def applied_load(self) -> Five:
         """Loads on x, y, z, ry, rz, in N and N·m; zero where none is given."""
         load = self.load

@@ -217,8 +217,7 @@ def highest_speed(found: HeatBalance, threads: int | None = None) -> tuple[float
         without an equilibrium; and whether two states merge there. Else the coldest one comes to
         the temperature limit, or the bearing loses its equilibrium.
     """
-    duty = found.case.duty
-    if not (duty.inner_speed or duty.outer_speed):
+    if not found.case.duty.turns:
         return nan, False
     if not found.converged:
         return found.runaway, found.merges

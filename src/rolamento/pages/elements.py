@@ -234,7 +234,7 @@ def balls_table(solved: Solved) -> Table:
             )  # fmt: skip
     columns.append(Column("Q_i", solved.inner.load[0, balls].tolist(), bar=True))
     breaks: tuple[Break, ...] = ()
-    if solved.case.duty.inner_speed or solved.case.duty.outer_speed:
+    if solved.case.duty.turns:
         heading = said("Motion of the balls")
         legend = said(
             "F_c centrifugal force, M_g gyroscopic moment, n_m orbital speed, n_R ball speed, "
@@ -379,7 +379,7 @@ def rollers_table(solved: Solved) -> Table:
     if np.nan_to_num(rollers.rib_force[0]).any():
         symbols.append(said("F_rib force of the rib on the roller's end"))
         columns.append(own("F_rib", "N", rollers.rib_force[0], "rib_force"))
-    turning = bool(solved.case.duty.inner_speed or solved.case.duty.outer_speed)
+    turning = solved.case.duty.turns
     if turning:
         symbols.append(said("F_c centrifugal force"))
         columns.append(own("F_c", "N", elements.centrifugal_force[0], "centrifugal_force", 5))

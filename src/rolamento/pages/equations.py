@@ -91,7 +91,7 @@ def _model(case: CaseReport, field: str, value: str) -> bool:
 
 
 def _turns(case: CaseReport) -> bool:
-    return case.case.duty.inner_speed != 0.0 or case.case.duty.outer_speed != 0.0
+    return case.case.duty.turns
 
 
 def _friction_control(case: CaseReport) -> bool:

@@ -365,11 +365,10 @@ def _maximum_by_row(solved: Solved, values: FloatArray) -> list[float]:
 
 def _preload(solved: Solved, preload: Preloading) -> Section:
     """Show the preload at rest and at speed, and where it is lost."""
-    duty = solved.case.duty
     entries = []
     if not preload.stages:
         entries.append(Entry(said("at rest"), Number(preload.at_rest, ".4 N")))
-    if not preload.stages and (duty.inner_speed or duty.outer_speed):
+    if not preload.stages and solved.case.duty.turns:
         entries.append(Entry(said("at speed"), Number(preload.at_speed, ".4 N")))
     entries += [*_lift(solved, preload), *_loss(solved, preload)]
     stages = (stage_table(preload.stages),) if preload.stages else ()

@@ -234,7 +234,7 @@ def preload_stages(case: Case) -> tuple[PreloadStage, ...]:
     if not _facing(case):
         return ()
     chosen = LIMITS.index(mounting.limit)
-    turning = bool(duty.inner_speed or duty.outer_speed)
+    turning = duty.turns
     steps: list[tuple[str, Stage, bool]] = [
         ("unmounted", "unmounted", False), ("mounted", "mounted", False)
     ]  # fmt: skip

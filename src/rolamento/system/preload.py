@@ -177,9 +177,9 @@ class _Given:
     @property
     def moving(self) -> bool:
         """Whether a ring turns in any case."""
-        duty = self.case.duty
-        own = bool(duty.inner_speed or duty.outer_speed)
-        return own or any(np.any(self.values.get(name, np.zeros(1)) != 0.0) for name in _SPEEDS)
+        return self.case.duty.turns or any(
+            np.any(self.values.get(name, np.zeros(1)) != 0.0) for name in _SPEEDS
+        )
 
     def look(
         self, factor: FloatArray, some: IntArray, deepest: BoolArray, start: FloatArray

@@ -175,7 +175,7 @@ def fault_frequencies(
     inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
     case = at_speeds(case_of(bearing, changes), inner, outer)
     duty = case.duty
-    told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
+    told = inner is not None or outer is not None or duty.turns
     has_no_duty = (
         isinstance(bearing, Bearing | RollerBearing)
         or (isinstance(bearing, Case) and not _SPEEDS & bearing.duty.model_fields_set)

@@ -489,8 +489,7 @@ def _life(cases: Cases) -> Picture:
     ends = 10.0 ** limits[0], 10.0 ** limits[1]
     across = Axis(unit="h", limits=ends, log=True, step=1.0, name=said("Life"))
     if not turns:
-        label = said("Life (10⁶ rev)")
-        across = replace(across, unit="10⁶ rev", label=label)
+        across = replace(across, unit="10⁶ rev")
     names = tuple(theory_label(name) for name in theories)
     return picture(
         Chart(tuple(bars), across, Axis(categories=names), " ".join(told), marks=tuple(marks))

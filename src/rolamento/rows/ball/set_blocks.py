@@ -423,7 +423,7 @@ def _settle_moving(
 
 
 @filling
-def _judgein_lanes(
+def _judge_in_lanes(
     work: Work, rows: Rows, block: int, chosen: NDArray[np.int64], found: Balance
 ) -> None:
     """Judge the rows of as many cases as there are lanes, with inertia, as `blocks` judges one row.
@@ -517,7 +517,7 @@ def _judge(
             work.accepted[row, lane] = False
             found.code[row, case] = NOT_CONVERGED
     if moving:
-        _judgein_lanes(work, rows, block, chosen, found)
+        _judge_in_lanes(work, rows, block, chosen, found)
     for lane in range(count):
         case = chosen[block + lane]
         for row in range(w.shape[0]):
