@@ -56,6 +56,10 @@ def test_throughput(module: Any, name: str) -> None:
     assert values["converged"] == 100.0
 
 
+def test_the_evaluation_of_a_ball_follows_its_kernel(module: Any) -> None:
+    assert module("throughput").ball_evaluation(1, passes=2) > 0.0
+
+
 def test_laws_of_rollers(module: Any) -> None:
     findings = module("roller_laws").measure(120)
     assert findings.failures == []
