@@ -111,6 +111,11 @@ TRIED: Final = PART + 1  # how often it was shortened
 TAKEN: Final = TRIED + 1  # steps
 FATE: Final = TAKEN + 1  # whether it has settled
 SETTLING_ROWS: Final = FATE + 1
+# --- how a ball touches (`ball.touching`) ------------------------------------------------------
+INNER_CONTACT: Final = 0  # sin a, cos a, da/dt, approach, Q, dQ/d|y|, dQ/da
+OUTER_CONTACT: Final = INNER_CONTACT + 7
+OWN_SPEED: Final = OUTER_CONTACT + 7  # of its own orbit, and its derivatives by a_i, a_o
+TOUCH_ROWS: Final = OWN_SPEED + 3
 
 
 def long_polynomial(row: int) -> int:

@@ -121,8 +121,8 @@ class Work(NamedTuple):
     (rows, layout.RING_ROWS, lanes)); of each ball (b), and of each that stands for some at the
     start (springs); holds: the case in each lane, and its steps. Of one row of one case: column,
     its parameters (parameters, 1); own, where it is held (5,); the sums over its balls, and their
-    errors (balls, 2). Of the judge in lanes: mirror, none; contacts (6 * lanes), their stiffness;
-    accepted (rows, lanes).
+    errors (balls, 2). Of a ball in lanes: touch (layout.TOUCH_ROWS * lanes), how it does. Of the
+    judge in lanes: mirror, none; accepted (rows, lanes).
     """
 
     s: Array
@@ -138,7 +138,7 @@ class Work(NamedTuple):
     ring: Ring
     errors: Array
     mirror: Mirror
-    contacts: Array
+    touch: Array
     accepted: NDArray[np.bool_]
 
     @classmethod
@@ -159,7 +159,7 @@ class Work(NamedTuple):
             ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
-            contacts=in_lanes(1, 6)[0],
+            touch=in_lanes(1, layout.TOUCH_ROWS)[0],
             accepted=np.zeros((rows, _LANES), np.bool_),
         )
 
@@ -346,7 +346,7 @@ def _settle_static(
             for row in range(w.shape[0]):
                 for j in range(rows.ends[row], rows.ends[row + 1]):
                     lanes.place_ball(w[row], b[j])
-                    lanes.settle_ball(w[row], b[j])
+                    lanes.settle_ball(w[row], b[j], work.touch)
             for lane in range(count):
                 for j in range(b.shape[0]):
                     read_position(b[j], lane, found.position[chosen[block + lane]], j)
@@ -387,7 +387,7 @@ def _settle_moving(
         for row in range(w.shape[0]):
             lanes.reset_sums(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
-                lanes.add_moving_ball(w[row], b[j], TOLERANCE)
+                lanes.add_moving_ball(w[row], b[j], work.touch, TOLERANCE)
             lanes.measure_cage(w[row])
             lanes.condense_cage(w[row])
             set_lanes.add_row(s, v[row], w[row])
@@ -444,7 +444,7 @@ def _judge_in_lanes(
         lanes.reset_sums(w)
         for j in range(z - a):
             lanes.mark_regrouped(w, b[j])
-        lanes.judge_balls(w, b, work.mirror, bearing, work.contacts)
+        lanes.judge_balls(w, b, work.mirror, bearing, work.touch)
         lanes.weigh_ring(w)
         for j in range(z - a):
             lanes.weigh_ball(w, b[j])
