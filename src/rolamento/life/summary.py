@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import cached_property, partial
 from typing import Any, Final
 
 import numpy as np
@@ -65,15 +66,15 @@ class Limit:
     factor: NDArray[np.str_]
 
 
-@frozen(eq=False)
+@frozen(eq=False, slots=False)
 class LifeSummary:
     """Lives of solved cases by every theory that the conditions allow; arrays over cases.
 
     Attributes
     ----------
     theories
-        by their names in `theories.THEORIES`, in that order; those that were asked for. One that
-        takes milliseconds is evaluated when it is first looked up
+        by their names in `theories.THEORIES`, in that order; those that were asked for. Each is
+        evaluated when it is first looked up, unless the conditions may have to be refused for it
     ratings
         C, C_0 and C_u, N
     loads
@@ -82,8 +83,8 @@ class LifeSummary:
         the life that leads, by the one rule for all reports, figures and outputs
     reference, reference_load
         the reference life, race by race, and P_ref, (cases,), N
-    limit
-        what limits the life
+    limiting
+        finds the `limit`
     viscosity_ratio, contamination_factor
         κ and e_C, (cases,); None where lubrication is not given
     rib_load
@@ -103,7 +104,7 @@ class LifeSummary:
     loads: EquivalentLoads
     reference: ReferenceLife
     reference_load: FloatArray
-    limit: Limit
+    limiting: Callable[[], Limit]
     viscosity_ratio: FloatArray | None
     contamination_factor: FloatArray | None
     conditions: LifeConditions
@@ -125,6 +126,11 @@ class LifeSummary:
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory."""
         return self.theories[theory]
+
+    @cached_property
+    def limit(self) -> Limit:
+        """What limits the life."""
+        return self.limiting()
 
     @property
     def rating_sources(self) -> dict[str, str]:
@@ -271,11 +277,11 @@ class LifeSummary:
 
 
 class _Lives(Mapping[str, Life]):
-    """Lives by theories; one that takes milliseconds is evaluated when it is first asked for."""
+    """Lives by theories, each evaluated when it is first asked for."""
 
     def __init__(self, basis: Basis, asked: Iterable[Theory]) -> None:
         self._basis = basis
-        self._lives = {one.name: None if one.slow else self._life(one) for one in asked}
+        self._lives = {one.name: self._life(one) if one.refuses else None for one in asked}
 
     def _life(self, theory: Theory) -> Life:
         if theory.of_balls and self._basis.has_rollers:
@@ -345,7 +351,7 @@ def life(
         loads=basis.loads,
         reference=basis.reference,
         reference_load=basis.reference_load,
-        limit=_limit_of(basis),
+        limiting=partial(_limit_of, basis),
         viscosity_ratio=basis.viscosity_ratio,
         contamination_factor=basis.contamination_factor,
         conditions=given,
