@@ -227,7 +227,7 @@ class Setting:
             return self.coefficient.rollers[:, :1]
         return self.coefficient.balls
 
-    @property
+    @cached_property
     def regime(self) -> NDArray[np.str_]:
         """Regime of lubrication, (cases,): see `film_regime`."""
         if self.film_parameter is None:

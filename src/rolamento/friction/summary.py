@@ -49,7 +49,7 @@ from rolamento.io.json import plain
 from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
-from rolamento.records import frozen, span
+from rolamento.records import Lazily, frozen, span
 from rolamento.solved import Solved, refuse_other
 from rolamento.validate import one_of, positive
 from rolamento.words import Note, said
@@ -97,8 +97,8 @@ class Friction:
         (cases,): "boundary", "mixed", "full_film" or "unknown"
     models
         every model that could be evaluated: its torque
-    validity
-        whether each of them is valid here, and if not, why
+    validities
+        whether each of them is valid here, and if not, why; both are found when they are looked up
     bounds
         why the torque is an upper bound, by keys of notes: in which cases, (cases,)
     """
@@ -116,7 +116,7 @@ class Friction:
     film_parameter: FloatArray
     regime: NDArray[np.str_]
     models: Mapping[str, Torque]
-    validity: tuple[ModelValidity, ...]
+    validities: Mapping[str, ModelValidity]
     bounds: Mapping[str, BoolArray]
 
     def _shown(self) -> dict[str, str]:
@@ -135,6 +135,11 @@ class Friction:
             ),
             "models": ", ".join(self.models),
         }
+
+    @property
+    def validity(self) -> tuple[ModelValidity, ...]:
+        """Whether each of the models is valid, and if not, why."""
+        return tuple(self.validities.values())
 
     @property
     def upper_bound(self) -> BoolArray:
@@ -395,11 +400,12 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
     if thinnest is None:
         thinnest = film(setting.solved, threads=1).minimum_film_parameter[:, np.newaxis]
         setting = replace(setting, film_parameter=thinnest)
-    models = {
-        name: own.evaluate(setting) if own.knows(setting.solved) else _no_torque(name, setting)
+    names = [
+        name
         for name, own in TORQUE_MODELS.items()
         if name == model or (_shown(own, setting, compare) and setting.supplies(own.needs))
-    }
+    ]
+    models = Lazily(names, lambda name: _torque_by(TORQUE_MODELS[name], setting))
     beside = [_hysteresis(setting)]
     if setting.dynamic_viscosity is not None:
         beside.append(_rolling_resistance(setting, setting.dynamic_viscosity))
@@ -430,9 +436,8 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
         film_parameter=thinnest[:, 0],
         regime=setting.regime,
         models=models,
-        validity=tuple(
-            validity_of(TORQUE_MODELS[name], setting, found.converged)
-            for name, found in models.items()
+        validities=Lazily(
+            names, lambda name: validity_of(TORQUE_MODELS[name], setting, models[name].converged)
         ),
         bounds=upper_bounds(setting, torque, by_source),
     )
@@ -495,10 +500,12 @@ def _shown(own: TorqueModel, setting: Setting, compare: bool) -> bool:
     return compare or not own.of_contacts
 
 
-def _no_torque(name: str, setting: Setting) -> Torque:
-    """The torque of a model of other elements: none."""
+def _torque_by(own: TorqueModel, setting: Setting) -> Torque:
+    """The torque by a model; none by one of other elements."""
+    if own.knows(setting.solved):
+        return own.evaluate(setting)
     nothing = np.full(len(setting), np.nan)
-    return Torque(name, nothing, {}, nothing, np.zeros(len(setting), np.bool_))
+    return Torque(own.name, nothing, {}, nothing, np.zeros(len(setting), np.bool_))
 
 
 def _sliding(setting: Setting, losses: Mapping[str, ContactLoss]) -> Torque:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any, Final
@@ -22,9 +22,8 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import Ratings
 from rolamento.life.theories import THEORIES
-from rolamento.life.theory import Theory
 from rolamento.numerics import FloatArray
-from rolamento.records import frozen, span
+from rolamento.records import Lazily, frozen, span
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.units import HOUR
@@ -276,35 +275,12 @@ class LifeSummary:
         }
 
 
-class _Lives(Mapping[str, Life]):
-    """Lives by theories, each evaluated when it is first asked for."""
-
-    def __init__(self, basis: Basis, asked: Iterable[Theory]) -> None:
-        self._basis = basis
-        self._lives = {one.name: self._life(one) if one.refuses else None for one in asked}
-
-    def _life(self, theory: Theory) -> Life:
-        if theory.of_balls and self._basis.has_rollers:
-            return self._basis.refused(theory.name, "theory_of_balls")
-        return theory.evaluate(self._basis)
-
-    def __getitem__(self, name: str) -> Life:
-        found = self._lives[name]
-        if found is None:
-            found = self._lives[name] = self._life(THEORIES[name])
-        return found
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._lives
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._lives)
-
-    def __len__(self) -> int:
-        return len(self._lives)
-
-    def __reduce__(self) -> Any:
-        return dict, (dict(self),)  # as it travels: all evaluated, without what that takes
+def _life_by(basis: Basis, name: str) -> Life:
+    """The life by one theory."""
+    theory = THEORIES[name]
+    if theory.of_balls and basis.has_rollers:
+        return basis.refused(name, "theory_of_balls")
+    return theory.evaluate(basis)
 
 
 def life(
@@ -341,8 +317,11 @@ def life(
     given = conditions_of(solved) if conditions is None else conditions
     slow = len(solved) == 1 if stress_volume is None else stress_volume
     basis = Basis.of(solved, given)
-    asked = (one for one in THEORIES.values() if one.asked(basis) and (slow or not one.slow))
-    theories = _Lives(basis, asked)
+    asked = [one for one in THEORIES.values() if one.asked(basis) and (slow or not one.slow)]
+    theories = Lazily((one.name for one in asked), partial(_life_by, basis))
+    for one in asked:
+        if one.refuses:
+            theories[one.name]
     modified = theories.get(iso16281_modified.THEORY.name)
     return LifeSummary(
         theories=theories,
