@@ -20,7 +20,7 @@ from rolamento.friction.palmgren import constants_by_type, friction_load
 from rolamento.io.json import plain
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
-from rolamento.lubrication.oil_state import oil_state
+from rolamento.oil.state import oil_state
 from rolamento.ratings import (
     dynamic_rating,
     rated_as,

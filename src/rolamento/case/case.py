@@ -18,7 +18,7 @@ from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.losses import Losses
-from rolamento.case.lubricant import LubricantField
+from rolamento.case.lubricant import Lubricant, LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
 from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
@@ -55,6 +55,7 @@ __all__ = [
     "case_to_toml",
     "is_designation",
     "load_case",
+    "lubricant_of",
     "name_of",
     "override",
     "parse_case",
@@ -428,6 +429,26 @@ def case_of(source: BearingLike, changes: Changes = ()) -> Case:
             example='"6310/C3"',
         )
     return override(source, changes) if changes else source
+
+
+def lubricant_of(case: Case) -> Lubricant:
+    """Return the lubricant of a case.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+    """
+    if case.lubricant is None:
+        raise InputError(
+            said(
+                "is missing: without a lubricant or a coefficient of friction there is "
+                "no film and no friction"
+            ),
+            field="lubricant",
+            example='lubricant = "ISO VG 68"',
+        )
+    return case.lubricant
 
 
 def is_designation(name: object, folder: str | os.PathLike[str] = "") -> bool:

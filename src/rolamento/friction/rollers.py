@@ -39,7 +39,7 @@ from rolamento.friction.model import (
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, RibMotion, rib_motion, roller_motion
 from rolamento.lubrication.film_thickness import film_groups, minimum_film
-from rolamento.lubrication.films import has_film, oil_of, resistance_left
+from rolamento.lubrication.films import has_film, resistance_left
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.solved import RACES, Solved
@@ -161,7 +161,7 @@ def rib_film_parameter(setting: Setting, shape: RollerShape) -> FloatArray:
     assert solved.rollers is not None
     if surface is None or not has_film(solved):
         return unknown
-    oil = oil_of(solved).columns()
+    oil = solved.oil.columns()
     along, across = shape.rib_curvature
     speed = np.abs(relative_speed(solved))[:, np.newaxis]
     force = np.abs(solved.rollers.rib_force)
@@ -256,7 +256,7 @@ def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
     if not has_film(solved):
         nothing = np.zeros(solved.inner.load.shape)
         return ContactLoss(nothing, nothing)
-    oil = oil_of(solved).columns()
+    oil = solved.oil.columns()
 
     def of_race(race: Race) -> FloatArray:
         contacts = solved.contacts[race]

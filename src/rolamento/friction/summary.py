@@ -46,7 +46,7 @@ from rolamento.friction.rollers import (
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
 from rolamento.io.json import plain
-from rolamento.lubrication.films import film, has_film, oil_of
+from rolamento.lubrication.films import film, has_film
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.records import Lazily, frozen, span
@@ -356,7 +356,7 @@ def friction(
     viscosity, known = dynamic_viscosity, film_parameter
     if has_film(solved):
         if viscosity is None:
-            viscosity = np.where(solved.converged, oil_of(solved).dynamic_viscosity, 0.0)
+            viscosity = np.where(solved.converged, solved.oil.dynamic_viscosity, 0.0)
     elif known is None:
         known = np.nan
 

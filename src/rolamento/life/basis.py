@@ -617,7 +617,7 @@ def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> Fl
     if given.viscosity is None:
         return None
     viscosity = over_cases(given.viscosity, "viscosity", cases)
-    from rolamento.lubrication.oil_state import viscosity_ratio
+    from rolamento.oil.state import viscosity_ratio
 
     ratio = viscosity_ratio(viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter)
     return np.asarray(ratio.min(axis=1))

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
+from rolamento.case.case import lubricant_of
 from rolamento.case.duty import AXES, LOADS
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.geometry import Angle, Race
@@ -53,8 +54,13 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from rolamento.oil.state import OilState
+
 NO_LOAD: Final = 1e-9
 """Fraction of the load at the other race: what is less is rounding, and no contact."""
+
+ROOM_TEMPERATURE: Final = 293.15
+"""K, of an oil whose temperature is not known."""
 
 T = TypeVar("T")
 
@@ -261,6 +267,25 @@ class Solved:
     def outer(self) -> Contacts:
         """The contacts with the outer race."""
         return self.contacts["outer"]
+
+    @cached_property
+    def oil(self) -> OilState:
+        """The oil, or the base oil of the grease, at its temperature; NaN of dry lubrication.
+
+        Raises
+        ------
+        InputError
+            If the case has no lubricant.
+        """
+        from rolamento.oil.state import OilState, oil_state
+
+        lubricant = lubricant_of(self.case)
+        given = self.field("temperature.lubricant")
+        temperature = np.where(given > 1.0, given, ROOM_TEMPERATURE)  # 1: of one that is not valid
+        if lubricant.kind != "dry":
+            return oil_state(lubricant, temperature)
+        nothing = np.full_like(temperature, np.nan)
+        return OilState(temperature, nothing, nothing, nothing, nothing, nothing, float("nan"))
 
     def pressed_on(self, race: Race) -> tuple[FloatArray, Angle]:
         """Return load and angle of the contacts with a race, alone; (cases, elements), N and rad.
