@@ -124,7 +124,7 @@ def coefficient_by_regime(solved: Solved) -> tuple[Coefficient, Coefficient, Coe
     synthetic oils 0.04 to 0.05, of rollers 0.002 to 0.02.
     """
     rows, oil = solved.rows, solved.oil
-    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    speed = solved.relative_speed
     part = boundary_share(
         oil.kinematic_viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter
     )

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.friction import free_ball
-from rolamento.friction.model import ContactLoss, bears_on_both, has_result
+from rolamento.friction.model import ContactLoss, has_result
 from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
 from rolamento.friction.slip import slip_velocity as slip_at
 from rolamento.friction.traction import EllipseMesh, contact_friction, ellipse_mesh
@@ -93,7 +93,7 @@ def loaded_contacts(solved: Solved) -> tuple[Patch, Patch, BoolArray]:
     Returns those of the inner and of the outer race, arrays (loaded,), and which of
     (cases, elements) they are.
     """
-    chosen = bears_on_both(solved)
+    chosen = solved.balls_bear
     inner, outer = (_picked(Patch.of(race), chosen) for race in solved.contacts.values())
     return inner, outer, chosen
 

@@ -31,8 +31,6 @@ from rolamento.friction.model import (
     checked_coefficient,
     hysteresis_loss,
     over_cases,
-    relative_speed,
-    rolls_on_lines,
     torque_of_losses,
     validity_of,
 )
@@ -276,7 +274,7 @@ def _started(torque: FloatArray | None, case: int) -> dict[str, Any]:
 
 def default_model(solved: Solved, *, quick: bool = False) -> str:
     """Name the model of the contacts that is used if none is named; quick: a closed form."""
-    if rolls_on_lines(solved).all():
+    if solved.are_rollers.all():
         return ROLLER_MODEL
     return "jones_simplified" if quick else "jones_full"
 
@@ -494,7 +492,7 @@ def _together(parts: list[Mapping[str, T]], add: Callable[[T, T], T]) -> dict[st
 
 def _shown(own: TorqueModel, setting: Setting, compare: bool) -> bool:
     """Whether a model stands beside the one in use; that of rollers only where there are some."""
-    rolls = rolls_on_lines(setting.solved)
+    rolls = setting.solved.are_rollers
     if own.name == ROLLER_MODEL:
         return bool(rolls.all())
     return compare or not own.of_contacts
@@ -514,7 +512,7 @@ def _sliding(setting: Setting, losses: Mapping[str, ContactLoss]) -> Torque:
 
 def _hysteresis(setting: Setting) -> Torque:
     solved = setting.solved
-    rolls = rolls_on_lines(solved)
+    rolls = solved.are_rollers
     if rolls.all():
         lost = line_hysteresis_loss(solved, setting.hysteresis)
     else:
@@ -528,8 +526,8 @@ def _hysteresis(setting: Setting) -> Torque:
 def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
     """The oil's rolling resistance as a torque."""
     solved = setting.solved
-    rolls = rolls_on_lines(solved)
-    speed = np.abs(relative_speed(solved))[:, np.newaxis]
+    rolls = solved.are_rollers
+    speed = solved.relative_speed[:, np.newaxis]
     turning = np.where(speed > 0.0, speed, 1.0)
     if rolls.all():
         lost = line_resistance_loss(solved, viscosity)

@@ -135,7 +135,7 @@ class Basis:
         steep = np.isnan(angle).any(axis=1)
         ratings = ratings_of(solved, angle, given)
         turning = _turning_rings(solved, given)
-        speed = _speed(solved)
+        speed = solved.relative_speed
         outside = bool(outside_print(given.reliability, given.edition))
         return cls(
             solved=solved,
@@ -499,11 +499,6 @@ def _is_wide(solved: Solved) -> bool:
 def _limiting_speed(solved: Solved) -> float | None:
     published = solved.case.bearing.published
     return None if published is None else published.limiting_speed
-
-
-def _speed(solved: Solved) -> FloatArray:
-    """Speed of the rings against each other, unsigned, (cases,), rad/s."""
-    return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
 
 
 def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> EquivalentLoads:

@@ -256,7 +256,7 @@ def has_film(solved: Solved) -> bool:
 def _film_of_some(solved: Solved) -> Film:
     case, elements, oil = solved.case, solved.elements, solved.oil
     model = case.film or FilmModel()
-    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    speed = solved.relative_speed
     needed = reference_viscosity(speed[:, np.newaxis], solved.rows.pitch_diameter).max(axis=1)
     refill = _refill(case, model, oil, speed)
     inner, outer = (
@@ -315,7 +315,7 @@ def _starvation_left(solved: Solved, race: Race, model: FilmModel, oil: OilState
     if model.starvation == "inlet_distance":
         factor = _film_of_some(solved).of(race).starvation_factor
         return np.where(np.isnan(factor), 1.0, factor)
-    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    speed = solved.relative_speed
     refill = _refill(solved.case, model, oil, speed)
     return np.broadcast_to(refill[:, np.newaxis], shape)
 

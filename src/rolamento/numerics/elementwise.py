@@ -55,5 +55,8 @@ def of_each(
 
 
 def _flat(array: NDArray[Any], shape: tuple[int, ...]) -> FloatArray:
-    whole = array if array.shape == shape else np.broadcast_to(array, shape)
-    return np.ascontiguousarray(whole, np.float64).reshape(-1)
+    if array.shape == shape:
+        return np.ascontiguousarray(array, np.float64).reshape(-1)
+    whole = np.empty(shape)
+    whole[...] = array
+    return whole.reshape(-1)

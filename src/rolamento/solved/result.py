@@ -48,6 +48,7 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import INVALID_INPUT
+from rolamento.types import BALL
 from rolamento.words import Note, said
 
 if TYPE_CHECKING:
@@ -306,6 +307,32 @@ class Solved:
     def rollers(self) -> Rollers | None:
         """The rollers, slice by slice; None of a bearing that has balls only."""
         return self._tables.rollers
+
+    @cached_property
+    def relative_speed(self) -> FloatArray:
+        """Speed of the rings against each other, without a sign; (cases,), rad/s."""
+        return np.abs(self.field("duty.inner_speed") - self.field("duty.outer_speed"))
+
+    @cached_property
+    def are_rollers(self) -> BoolArray:
+        """Which elements are rollers; (elements,)."""
+        rollers = np.array([element != BALL for element in self.rows.element])
+        return np.asarray(rollers[self.rows.row_of_element])
+
+    @cached_property
+    def balls_bear(self) -> BoolArray:
+        """Whether an element is a ball that bears on both races; (cases, elements)."""
+        return self._bear & ~self.are_rollers
+
+    @cached_property
+    def rollers_bear(self) -> BoolArray:
+        """Whether an element is a roller that bears on both races; (cases, elements)."""
+        return self._bear & self.are_rollers
+
+    @cached_property
+    def _bear(self) -> BoolArray:
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self.loaded & (self._tables.outer.load > 0.0))
 
     @cached_property
     def loaded(self) -> BoolArray:
