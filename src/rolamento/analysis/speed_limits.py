@@ -11,6 +11,7 @@ from typing import Any, Final, Literal
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.case import BearingLike, name_of
+from rolamento.case.duty import Load
 from rolamento.case.fields import Changes
 from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
@@ -329,6 +330,17 @@ def limiting_speeds(case: Case) -> tuple[SpeedLimit, ...]:
     ------
     InputError
         If different elements roll in the rows.
+    """
+    unloaded = case.duty.model_copy(update={"load": Load.model_construct()})
+    given = frozenset(case.bearing.model_fields_set)
+    return _limits_of_any_load(case.model_copy(update={"duty": unloaded}), given)
+
+
+@lru_cache(maxsize=64)
+def _limits_of_any_load(case: Case, given: frozenset[str]) -> tuple[SpeedLimit, ...]:
+    """Found once, while the load changes.
+
+    given: the bearing's own fields, which cases that are equal may differ in.
     """
     return _Asked(case, _boundary(case), None).of_any_load()
 

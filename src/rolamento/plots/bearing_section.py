@@ -399,6 +399,11 @@ class _Drawer:
     def __post_init__(self) -> None:
         bearing = self.case.bearing
         self.frame = _frame(bearing, self.case.mounting, frozenset(bearing.model_fields_set))
+        self.near = {
+            (row.number, side): self._nearest(row, side)
+            for row in self.frame.elements
+            for side in _SIDES
+        }
 
     def drawn(self) -> SectionDrawing:
         """Draw everything."""
@@ -425,7 +430,7 @@ class _Drawer:
     def _line(self, kind: str, points: Sequence[Point], side: float) -> None:
         self.outlines.append(Outline(kind, _on_side(points, side), closed=False))
 
-    def _which(self, row: _Row, side: float) -> int | None:
+    def _nearest(self, row: _Row, side: float) -> int | None:
         """The element of a row that is nearest the top, or the bottom."""
         if self.solved is None:
             return None
@@ -438,7 +443,7 @@ class _Drawer:
         return int(own[int(np.argmin(away))])
 
     def _load(self, row: _Row, side: float) -> float:
-        place = self._which(row, side)
+        place = self.near[row.number, side]
         if place is None or self.solved is None:
             return 0.0
         load = self.solved.inner.load[0]
@@ -446,7 +451,7 @@ class _Drawer:
 
     def _angles(self, row: _Row, side: float) -> tuple[float, float, bool]:
         """Contact angles of the inner and outer race, and whether they are those under load."""
-        place = self._which(row, side)
+        place = self.near[row.number, side]
         if place is None or self.solved is None or not self._load(row, side) > 0.0:
             return row.angle, row.angle, False
         found = [float(one.contact_angle[0, place])
