@@ -11,7 +11,6 @@ from typing import Any, Final, Literal
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.case import BearingLike, name_of
-from rolamento.case.duty import Load
 from rolamento.case.fields import Changes
 from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
@@ -331,9 +330,7 @@ def limiting_speeds(case: Case) -> tuple[SpeedLimit, ...]:
     InputError
         If different elements roll in the rows.
     """
-    unloaded = case.duty.model_copy(update={"load": Load.model_construct()})
-    given = frozenset(case.bearing.model_fields_set)
-    return _limits_of_any_load(case.model_copy(update={"duty": unloaded}), given)
+    return _limits_of_any_load(case.without_load, frozenset(case.bearing.model_fields_set))
 
 
 @lru_cache(maxsize=64)

@@ -9,7 +9,7 @@ from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_val
 
 from rolamento.case.arrangement import designation_of
 from rolamento.case.bearing import Bearing
-from rolamento.case.duty import SHORT_NAMES, Duty
+from rolamento.case.duty import SHORT_NAMES, Displacement, Duty, Load
 from rolamento.case.electrical import Electrical
 from rolamento.case.fields import Changes, changed, fields_of, read_changed, values_of
 from rolamento.case.fields import Field as CaseField
@@ -203,6 +203,12 @@ class Case(Record):
     def lubricant_temperature(self) -> float | None:
         """Temperature of the lubricant in K, if it is given."""
         return None if self.temperature is None else self.temperature.lubricant
+
+    @property
+    def without_load(self) -> "Case":
+        """The case with nothing acting from outside: its speeds, and where its elements begin."""
+        free = {"load": Load.model_construct(), "displacement": Displacement.model_construct()}
+        return self.model_copy(update={"duty": self.duty.model_copy(update=free)})
 
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:

@@ -514,7 +514,7 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
     if not case.converged or nothing_given(case.analysis.solved):
         return ()
     alone = replace(report, cases=(case,))
-    keys: dict[Any, str] = {_hours: "life", _life_text: "life", _speed: "speed"}
+    keys: dict[object, str] = {_hours: "life", _life_text: "life", _speed: "speed"}
     found = []
     for row in _summary_rows(alone):
         shown = _shown(row.cell(case))
