@@ -122,7 +122,7 @@ def minimum_power_losses(
     losses = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
     if not np.any(chosen):
         return losses, has_result(solved), None
-    mesh = mesh.folded()  # nothing tumbles, so the power is even along rolling
+    mesh = mesh.folded  # nothing tumbles, so the power is even along rolling
     found = minimum_power_motion(inner, outer, start_of(motion, chosen), directions[chosen], mesh)
     coefficient = np.broadcast_to(mu, chosen.shape)[chosen]
     for patch, sharp in ((inner, found.inner), (outer, found.outer)):
@@ -176,7 +176,7 @@ def minimum_power_motion(
 
     fine = mesh.rows
     # one row stays one: it is the model of no slip across rolling
-    coarse = ellipse_mesh(COARSE_PLACES, min(3, len(fine[1]))).folded()
+    coarse = ellipse_mesh(COARSE_PLACES, min(3, len(fine[1]))).folded
     contacts = np.stack([contact_numbers(patch) for patch in (inner, outer)])
     share_out(
         free_ball.move_free_balls, run, balls, chunk=max(balls, 1), threads=1, little=balls <= FEW
