@@ -755,16 +755,16 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
             if isfinite(own) and rating > 0.0:
                 yield Check(name, 0.0, own / rating, high=MAXIMUM_LOAD)
     if analysis.film is not None:
+        films = [analysis.film.of(race) for race in RACES]
+        known = np.concatenate([np.isfinite(one.central_thickness[0]) & ~rollers for one in films])
         for symbol, column in (
             ("U", "speed_parameter"),
             ("W", "load_parameter"),
             ("G", "material_parameter"),
             ("k", "ellipticity"),
         ):
-            values = np.concatenate([getattr(analysis.film.of(race), column)[0] for race in RACES])
-            thick = np.concatenate([analysis.film.of(race).central_thickness[0] for race in RACES])
-            points = ~np.tile(rollers, len(RACES))
-            values = values[np.isfinite(values) & np.isfinite(thick) & points]
+            values = np.concatenate([getattr(one, column)[0] for one in films])[known]
+            values = values[np.isfinite(values)]
             if values.size:
                 low, high = COMPUTED_RANGE[symbol]
                 least, greatest = float(values.min()), float(values.max())
