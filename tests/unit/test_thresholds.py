@@ -25,7 +25,6 @@ from rolamento.friction.bounds import upper_bounds
 from rolamento.friction.model import Setting, inertia_counts
 from rolamento.life import LifeSummary, life
 from rolamento.lubrication.film_thickness import aihara, thermal_loading
-from rolamento.lubrication.films import oil_of
 from rolamento.solved.notes import notes_on
 from rolamento.weibull import LifeTest, maximum_likelihood
 from rolamento.weibull.drawing import Drawing
@@ -451,7 +450,7 @@ def test_a_bound_is_told_where_it_may_take_a_twentieth(
 ) -> None:
     """Of heat in the inlets, which leaves φ of Aihara: 0.05 of the torque is (1 - φ) of theirs."""
     solved, _ = turning
-    oil = oil_of(solved)
+    oil = solved.oil
     fastest = max(np.abs(race.entrainment).max() for race in (solved.inner, solved.outer))
     left = aihara(
         thermal_loading(
