@@ -21,7 +21,7 @@ from rolamento.pages.shaft import together_sentences
 from rolamento.pages.state import state_page
 from rolamento.units import HOUR
 from rolamento.vibration.frequencies import ABBREVIATIONS
-from rolamento.words import ENDLESS, Note, marked, said
+from rolamento.words import ENDLESS, Note, counted, marked, said
 from rolamento.words.headlines import parted
 from rolamento.words.naming import machine_title
 from rolamento.words.quantities import called
@@ -121,7 +121,8 @@ def _given(solved: SolvedMachine) -> doc.KeyValues:
         doc.Entry(said("bearings"), "\n".join(bearings)),
     ]
     if machine.spectrum:
-        entries.append(doc.Entry(said("spectrum"), said("{count} steps", count=len(solved))))
+        steps = counted("{n} step", "{n} steps", len(solved))
+        entries.append(doc.Entry(said("spectrum"), steps))
     return doc.KeyValues((*entries, *_status(solved)))
 
 
