@@ -293,7 +293,7 @@ _FLOORS: Final = (  # the least scale, in SI units, of what is nothing but round
     (re.compile(r"contact_angle|attitude|yaw|spin_to_roll|rollers\.tilt"), 1e-3),
     (re.compile(r"stiffness_tr"), 1.0),
     (re.compile(r"load\.m$|force_across$"), 1.0),
-    (re.compile(r"gyroscopic_moment"), 1e-3),
+    (re.compile(r"gyroscopic_moment|race\.spin$"), 1e-3),
     (re.compile(r"(parts|heat|torque_by_source)\.spin"), 1e-6),
 )
 _LOOSE: Final = (  # where a maximum lies is known to the square root of the last digit
