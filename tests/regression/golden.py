@@ -291,7 +291,7 @@ def _is_finite(value: Any) -> bool:
 _FLOORS: Final = (  # the least scale, in SI units, of what is nothing but rounding in some cases
     (re.compile(r"displacement\.[tr]$"), 1e-6),
     (re.compile(r"contact_angle|attitude|yaw|spin_to_roll|rollers\.tilt"), 1e-3),
-    (re.compile(r"stiffness_tr"), 1.0),
+    (re.compile(r"stiffness_[tr]r"), 1.0),
     (re.compile(r"load\.m$|force_across$"), 1.0),
     (re.compile(r"gyroscopic_moment|race\.spin$"), 1e-3),
     (re.compile(r"(parts|heat|torque_by_source)\.spin"), 1e-6),
@@ -305,6 +305,7 @@ _LOOSE: Final = (  # where a maximum lies is known to the square root of the las
 _KIN: Final = (  # what is of one kind and size, so that rounding near zero is not told
     (re.compile(r"stiffness\[([0-2])\]\[([0-2])\]"), "stiffness_tt"),
     (re.compile(r"stiffness\[([0-2])\]\[([34])\]|stiffness\[([34])\]\[([0-2])\]"), "stiffness_tr"),
+    (re.compile(r"stiffness\[([34])\]\[([34])\]"), "stiffness_rr"),
     (re.compile(r"\[\d+\]"), ""),
     (re.compile(r"\.#\w+"), ""),
     (re.compile(r"\.(amplitude|cosine|sine|peak_to_peak|mean)(?![a-z_])"), ".wave"),
