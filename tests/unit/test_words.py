@@ -306,6 +306,17 @@ class TestScript:
         assert "fuzzy: 'inner'" in told
         assert "filled in otherwise: 'turns at {speed:.4 rpm}'" in told
 
+    def test_what_is_counted_now_is_to_be_translated_anew(
+        self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        from babel.messages.catalog import Catalog
+
+        wanted = Catalog()
+        wanted.add(("turns at {speed:.4 rpm}", "turn at {speed:.4 rpm}"))
+        monkeypatch.setattr(scripts, "template", lambda: wanted)
+        found = scripts.merged("pt_BR").get("turns at {speed:.4 rpm}")
+        assert not any(found.string)
+
     @pytest.mark.sweep
     def test_a_further_language_is_one_file(
         self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch
