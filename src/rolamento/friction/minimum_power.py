@@ -330,10 +330,10 @@ def _newton(p: _Problem, y: FloatArray, rounding: FloatArray) -> tuple[FloatArra
         value, gradient, hessian, scale = _derivatives(part, near, width)
         residual[left] = np.max(np.abs(gradient) / scale, axis=1)
         step = _newton_step(gradient, hessian)
-        length = _step_length(part, near, step, width, value, gradient)
-        open_still = (residual[left] > GRADIENT_TOLERANCE) & (length > 0.0)
-        y[left] += np.where(open_still, length, 0.0)[:, np.newaxis] * step
-        left = left[open_still]
+        found = residual[left] <= GRADIENT_TOLERANCE  # and the last step is taken all the same
+        length = np.where(found, 1.0, _step_length(part, near, step, width, value, gradient))
+        y[left] += length[:, np.newaxis] * step
+        left = left[~found & (length > 0.0)]
         if not left.size:
             break
     return y, residual

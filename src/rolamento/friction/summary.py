@@ -119,6 +119,8 @@ class Friction:
 
     def _shown(self) -> dict[str, str]:
         bound = ", at most" if self.upper_bound.any() else ""
+        parts = self.torque_by_source.items()
+        rounding = 1e-12 * np.nanmax([np.abs(part) for _, part in parts], axis=0, initial=0.0)
         return {
             "": f"{self.model}{bound}",
             "cases": str(len(self.torque)),
@@ -128,8 +130,9 @@ class Friction:
             "starting torque": span(1e3 * self.starting_torque, "N mm"),
             "friction coefficient": span(self.friction_coefficient),
             "regime": ", ".join(dict.fromkeys(map(str, self.regime))),
-            "torque by source": ", ".join(
-                f"{name} {span(1e3 * torque)}" for name, torque in self.torque_by_source.items()
+            "torque by source, N mm": ", ".join(
+                f"{name} {span(np.where(np.abs(part) <= rounding, 0.0, 1e3 * part))}"
+                for name, part in parts
             ),
             "models": ", ".join(self.models),
         }

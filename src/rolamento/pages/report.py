@@ -1135,18 +1135,21 @@ def _theory_table(case: CaseReport, life: LifeSummary) -> doc.Table:
     """The theories of one case side by side, as the page of its life has them."""
     table = theory_table(life, f"lives_{case.name}")
     paths = [f"analysis.life.theories.{name}" for name in life.theories]
-    legends = (
-        said("Lives for {reliability:.6 %} reliability; the governing one in bold.",
-             reliability=float(life.headline.reliability)),
-        *_life_legends(),
-    )  # fmt: skip
-    _, theories, *numbers = table.columns  # the governing one is in bold, and so without its mark
+    mark, theories, *numbers = table.columns
     columns = (
+        mark,
         replace(theories, head=said("theory")),
         *numbers,
         doc.Column("path", paths, "path", only_in_files=True),
     )
-    return replace(table, columns=columns, fixed=1, legends=legends, rule=True)
+    legends = (
+        said(
+            "Lives for {reliability:.6 %} reliability; ▸ marks the most complete valid theory.",
+            reliability=float(life.headline.reliability),
+        ),
+        *_life_legends(),
+    )
+    return replace(table, columns=columns, legends=legends, rule=True)
 
 
 def _verdict(case: CaseReport, theory: str) -> str:
