@@ -507,8 +507,7 @@ def test_an_oil_is_thin_below_a_product_of_two_thousand() -> None:
 def test_balls_under_a_twentieth_of_the_load_are_not_judged(load: float, counts: bool) -> None:
     """A ball that hardly bears has much inertia for its load, and next to no friction."""
     solved: Any = SimpleNamespace(
-        loaded=np.array([[True, True]]),
-        rows=SimpleNamespace(element=("ball",), row_of_element=np.array([0, 0])),
+        balls_bear=np.array([[True, True]]),
         elements=SimpleNamespace(
             gyroscopic_moment=np.zeros((1, 2)), centrifugal_force=np.array([[1.0, 1.0]])
         ),
