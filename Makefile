@@ -49,7 +49,7 @@ rewritten: dev  # the assertions; what is wrong the tests themselves tell
 verify: dev
 	$(BIN)/pytest -n auto --dist worksteal -m sweep
 	HYPOTHESIS_PROFILE=verify $(BIN)/pytest -n auto --dist worksteal tests/properties
-	@$(BIN)/python -m tests.regression.golden --check
+	@$(BIN)/python -m tests.regression.golden --check --elsewhere
 	@$(BIN)/python -m tests.regression.pages --check
 	@$(BIN)/rolamento verify
 	@$(MAKE) docs

@@ -153,6 +153,8 @@ def merged(language: str) -> Catalog:
         if not message.id:
             continue
         old = known.get(_key(message), message.context)
+        if old is not None and isinstance(old.string, str) != isinstance(message.id, str):
+            old = None  # it is counted now, or no more
         catalogue.add(
             message.id,
             None if old is None else old.string,

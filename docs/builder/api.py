@@ -135,11 +135,10 @@ def _entry(module: ModuleType, name: str, value: object) -> str:
         kind = "function"
     else:
         return _constant(module, name)
-    options = {
-        "class": "   :members:\n   :show-inheritance:\n",
-        "exception": "   :members:\n   :show-inheritance:\n",
-    }
-    return f".. auto{kind}:: {module.__name__}.{name}\n{options.get(kind, '')}"
+    options = "" if kind == "function" else "   :members:\n"
+    if inspect.isclass(value) and any(map(_is_own, value.__bases__)):
+        options += "   :show-inheritance:\n"
+    return f".. auto{kind}:: {module.__name__}.{name}\n{options}"
 
 
 def _constant(module: ModuleType, name: str) -> str:
@@ -238,7 +237,11 @@ def _bare(obj: Any) -> inspect.Signature:
 
 def on_bases(app: Any, name: str, obj: Any, options: Any, bases: list[type]) -> None:
     """Name the bases of the program alone."""
-    bases[:] = [base for base in bases if base.__module__.startswith("rolamento")]
+    bases[:] = filter(_is_own, bases)
+
+
+def _is_own(base: type) -> bool:
+    return base.__module__.startswith("rolamento")
 
 
 def on_member(app: Any, what: str, name: str, obj: Any, skip: bool, options: Any) -> bool | None:

@@ -335,6 +335,14 @@ def test_only_what_was_used_is_shown(gearbox: Report) -> None:
     assert "Basic dynamic load rating" in of_spindle
 
 
+@pytest.mark.parametrize("ending", [".txt", ".html"])
+def test_the_theory_that_leads_is_marked_in_every_medium(gearbox: Report, ending: str) -> None:
+    shown = report_page(gearbox)
+    text = terminal(shown) if ending == ".txt" else html(shown)
+    assert "in bold" not in text
+    assert text.count("▸") == 2  # at the theory, and in the legend
+
+
 def test_symbols_stand_where_they_first_occur(gearbox: Report) -> None:
     equations = equations_of(gearbox.cases)
     symbols = [symbol.symbol for one in equations for symbol in one.symbols]

@@ -81,6 +81,8 @@ def test_both_languages(language: str) -> None:
         (["import", "laughs.rexs"], "laughs.rexs, line 1: has a document type or entities"),
         (["import", "half.rexs"], "half.rexs, line 5: is not valid XML"),
         (["import", "machine.toml", "-o", "a.toml"], "is not a REXS model, which is XML, JSON or"),
+        (["import", "machine.toml"], "a machine file for rolamento shaft"),
+        (["import", "text.rexs"], "is not a REXS model, which is XML, JSON or a zip archive\n"),
         (["export", "nothing.toml"], "nothing.toml: cannot be opened"),
         (["export", "spindle.toml", "-o", "a.xml"], "must end in .rexs, .rexsj, .rexsz"),
         (["export", "spindle.toml", "-o", "spindle.toml", "--ross", "3"], "one of the input files"),
@@ -91,6 +93,7 @@ def test_both_languages(language: str) -> None:
 def test_wrong_input_is_one_line(words: list[str], expected: str) -> None:
     Path("there.toml").write_text("", encoding="utf-8")
     Path("machine.toml").write_text("title = 'x'", encoding="utf-8")
+    Path("text.rexs").write_text("title = 'x'", encoding="utf-8")
     Path("laughs.rexs").write_text('<!DOCTYPE a [<!ENTITY b "c">]><model/>', encoding="utf-8")
     Path("half.rexs").write_bytes(b"\n".join(gear_pair().xml().split(b"\n")[:5]))
     Path("spindle.toml").write_bytes((MACHINES / "spindle.toml").read_bytes())

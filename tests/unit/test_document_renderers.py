@@ -547,6 +547,8 @@ def test_a_workbook_is_the_same_every_time_whatever_its_tables_are_called() -> N
     ("text", "pieces"),
     [
         ("a_ISO", [("a", "ISO"), ("", "")]),
+        ("times (E'_steel/E')²", [("times (E'", "steel"), ("/E')²", "")]),
+        ("vezes E'_aço/E' (Hertz)", [("vezes E'", "aço"), ("/E' (Hertz)", "")]),
         ("Q_i, α_o", [("Q", "i"), (", α", "o"), ("", "")]),
         ("stiffness_zz a_b.csv x_1_2 C:\\d_e", None),
         ("12 300 h", [("12\u00a0300 h", "")]),

@@ -137,7 +137,10 @@ def test_they_are_listed() -> None:
 
 def test_nothing_is_overwritten(tmp_path: Path) -> None:
     copy_examples("218_hybrid", tmp_path)
+    copy_examples("218_combined", tmp_path)  # a file of both, and still as shipped
     (tmp_path / "218_hybrid.toml").unlink()
+    with (tmp_path / "218_combined.toml").open("a", encoding="utf-8") as own:
+        own.write("# mine\n")
     with pytest.raises(FileError, match="already exists; --force overwrites it"):
         copy_examples("218_hybrid.toml", tmp_path)
     assert not (tmp_path / "218_hybrid.toml").exists()

@@ -14,6 +14,7 @@ from rolamento.analysis.machine import analyse_machine
 from rolamento.case.machine import Machine
 from rolamento.errors import FileError, InputError
 from rolamento.exchange.rexs import Imported, machine_of_rexs, parse_rexs
+from rolamento.words import Note
 
 
 def read(model: Model, load_case: int | None = None) -> Imported:
@@ -699,6 +700,8 @@ def test_unknown_parts_and_attributes_are_named_and_no_error() -> None:
     assert found.machine == Machine.from_mapping(EXPECTED)
     left = {remark.note.key: remark.note.values for remark in found.of_sort("left")}
     assert left["rexs_components_left"]["type"] == "flux_capacitor"
+    told = str(Note("rexs_components_left", left["rexs_components_left"]))
+    assert told == "1 component flux_capacitor is not read: 90."
     assert "custom_maker_colour, surface_finish" in [
         remark.note.values.get("attributes") for remark in found.of_sort("left")
     ]

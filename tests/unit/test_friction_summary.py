@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -45,6 +46,16 @@ def test_heat_by_source_and_contact_is_the_power(slow: Solved) -> None:
     np.testing.assert_allclose(sum(found.torque_by_source.values()), found.torque, rtol=1e-12)
     np.testing.assert_allclose(found.power, found.torque * 20.0 * np.pi / 30.0, rtol=1e-12)
     assert all(loss.inner.shape == (1, 16) for loss in found.heat.values())
+
+
+def test_what_is_printed_shows_no_rounding(slow: Solved) -> None:
+    found = friction(slow, friction_coefficient=0.1)
+    parts = {"spin": np.array([1e-31]), "rolling_slip": np.array([0.05]), "rib": np.array([np.nan])}
+    shown = repr(replace(found, torque_by_source=parts))
+    assert "\n  torque by source, N mm: spin 0, rolling_slip 50, rib nan\n" in shown
+    parts["rib"] = np.array([0.02])
+    shown = repr(replace(found, torque_by_source=parts))
+    assert "\n  torque by source, N mm: spin 0, rolling_slip 50, rib 20\n" in shown
 
 
 def test_mapping_is_plain_json(slow: Solved, case_218: Case) -> None:

@@ -482,7 +482,7 @@ class TestHousings:
     @pytest.mark.parametrize(
         ("content", "rule"),
         [
-            ("1,2\n3", "numbers where the first row"),
+            ("1,2\n3", "has 1 number where the first row"),
             ("1,2\n", "square"),
             ("", "square"),
             ("1,x\n2,3", "must be a number"),

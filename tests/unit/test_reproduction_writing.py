@@ -382,6 +382,7 @@ def test_without_a_name_it_lists() -> None:
     assert result.exit_code == 0
     assert "radaelli-2013\n    Radaelli (2013), master's dissertation" in result.stdout
     assert "dissertação" in run("--lang", "pt").stdout
+    assert max(map(len, result.stdout.splitlines())) <= 80
 
 
 def test_an_unknown_name() -> None:

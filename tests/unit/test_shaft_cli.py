@@ -48,6 +48,13 @@ def test_the_page_has_bearings_shafts_and_gears(tmp_path: Path) -> None:
     assert book.stat().st_size > 5000
 
 
+def test_names_with_commas_are_told_apart() -> None:
+    """The bearings that a note is about: "hollow, left" is one of them."""
+    code, out, _ = run(str(EXAMPLES / "coaxial.toml"))
+    assert code == 0
+    assert "  • hollow, left; hollow, right: The internal geometry of 6018" in out
+
+
 def test_json_reads_back_identically(tmp_path: Path) -> None:
     """Every number as it was written; the rest of it is what follows."""
     path = tmp_path / "result.json"

@@ -113,6 +113,9 @@ def test_a_package_has_a_page_with_every_public_name(
                 entries = (f":: {module.__name__}.{name}\n", f"- ``{name}``: :py:obj:`rolamento.")
                 assert any(entry in pages[package] for entry in entries), name
     assert "- ``Case``: :py:obj:`rolamento.case.Case`" in pages["rolamento"]
+    bases = "\n   :members:\n   :show-inheritance:\n"
+    assert f"rolamento.errors.InputError{bases}" in pages["rolamento.errors"]
+    assert f"rolamento.solved.Solved{bases}" not in pages["rolamento.solved"], "it has none"
 
 
 def test_bars_and_stars_of_a_docstring_are_no_markup_and_code_stays() -> None:

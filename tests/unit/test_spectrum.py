@@ -181,7 +181,7 @@ def test_shares_that_nearly_sum_to_one_are_scaled(gearbox: Case, table: Path) ->
         ("share,revolutions\n1,1\n", "both a column share and a column revolutions"),
         ("share,duty.load.fq\n1,2 kN\n", "did you mean duty.load.fz?"),
         ("share,duty.load.fz,duty.load.fz\n1,2 kN,2 kN\n", "repeats a column name"),
-        ("share,duty.load.fz\n1\n", "line 2: has 1 cells where the header has 2"),
+        ("share,duty.load.fz\n1\n", "line 2: has 1 cell where the header has 2"),
         ("share,duty.load.fz\n0.5,2 kN\n0.4,3 kN\n", 'share = "0.9": must sum to 1'),
         ("share,duty.load.fz\nx,2 kN\n", 'line 2: share = "x": must be from 0 to 1'),
         ("share,duty.load.fz\n-1,2 kN\n2,2 kN\n", "must be from 0 to 1"),

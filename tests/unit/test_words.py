@@ -229,8 +229,10 @@ class TestSaying:
         (0.52321, ".3", "0.523", "0,523"),
         (2.0, ".2f", "2.00", "2,00"),
         (2.0, ".4", "2", "2"),
-        (1.5e-9, ".1e", "1.5e-09", "1,5e-09"),
-        (1e9, ".6g", "1e+09", "1e+09"),
+        (1.5e-9, ".1e", "1.5e-9", "1,5e-9"),
+        (1.83e18, ".2e", "1.83e18", "1,83e18"),
+        (1e9, ".6g", "1e9", "1e9"),
+        (-1e9, ".3r", "−1.00e9", "−1,00e9"),
         (-0.25, ".6g", "−0.25", "−0,25"),
         (1.5, "+.2f", "+1.50", "+1,50"),
         (pi, ".4 rpm", "30 rpm", "30 rpm"),
@@ -303,6 +305,17 @@ class TestScript:
         assert "unused: '.'" in told
         assert "fuzzy: 'inner'" in told
         assert "filled in otherwise: 'turns at {speed:.4 rpm}'" in told
+
+    def test_what_is_counted_now_is_to_be_translated_anew(
+        self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        from babel.messages.catalog import Catalog
+
+        wanted = Catalog()
+        wanted.add(("turns at {speed:.4 rpm}", "turn at {speed:.4 rpm}"))
+        monkeypatch.setattr(scripts, "template", lambda: wanted)
+        found = scripts.merged("pt_BR").get("turns at {speed:.4 rpm}")
+        assert not any(found.string)
 
     @pytest.mark.sweep
     def test_a_further_language_is_one_file(

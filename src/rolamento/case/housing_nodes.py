@@ -13,7 +13,7 @@ from rolamento.errors import ABSENT, InputError, guess
 from rolamento.io.tables import Table, read_columns
 from rolamento.records import frozen
 from rolamento.units import Dimension, to_si
-from rolamento.words import said
+from rolamento.words import counted, said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -203,9 +203,10 @@ def reduced_to_rings(
     rest = np.setdiff1d(np.arange(len(rows)), kept)
     if len(rest) and others is None:
         raise InputError(
-            said(
-                "is missing: {count} rows are of no ring, such as {first}; they are free or held",
-                count=len(rest),
+            counted(
+                "is missing: {n} row is of no ring, {first}; it is free or held",
+                "is missing: {n} rows are of no ring, such as {first}; they are free or held",
+                len(rest),
                 first=f"{rows[rest[0]].node} {rows[rest[0]].axis}",
             ),
             field="others",

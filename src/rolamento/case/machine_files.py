@@ -29,7 +29,7 @@ from rolamento.io.text import (
     read_text,
 )
 from rolamento.validate import one_of
-from rolamento.words import marked, said
+from rolamento.words import counted, marked, said
 
 __all__ = [
     "CASE_TABLES",
@@ -230,9 +230,10 @@ def _matrix(path: str) -> list[list[float]]:
         if len(rows) > MOST_ROWS:
             _too_large(path)
         if len(rows[-1]) != len(rows[0]):
-            rule = said(
-                "has {count} numbers where the first row has {columns}",
-                count=len(rows[-1]),
+            rule = counted(
+                "has {n} number where the first row has {columns}",
+                "has {n} numbers where the first row has {columns}",
+                len(rows[-1]),
                 columns=len(rows[0]),
             )
             raise FileError(rule, source=path, line=number)

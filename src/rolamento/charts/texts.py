@@ -7,18 +7,15 @@ from collections.abc import Callable
 from typing import Final
 
 from rolamento.words import manner, said
+from rolamento.words.manner import Manner
 from rolamento.words.naming import one_line
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
 
 _LONGEST_LABEL: Final = 90
-
-
 _THIN_SPACE: Final = "\u2009"
-
-
 _DIGITS: Final = 4
-
+_POINT: Final = Manner(".")
 
 _LONG_NUMBER: Final = re.compile(r"\d{5,}")
 _INDEXED: Final = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zα-ω])_([A-Za-z0-9]+)(?![^\W²³])")
@@ -88,10 +85,10 @@ def theory_label(theory: str) -> str:
 
 
 def _written(value: float, digits: int, mark: str) -> str:
-    text = f"{value:.{digits}g}"
+    text = _POINT.formatted(value, f".{digits}g")
     if "e" in text and 1e-4 <= abs(value) < 1e7:
-        text = f"{value:.0f}"
-    return marked_number(text.replace("-", "−"), mark)
+        text = _POINT.formatted(value, ".0f")
+    return marked_number(text, mark)
 
 
 def marked_number(text: str, mark: str) -> str:

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import StrEnum
+from textwrap import fill
 from typing import TYPE_CHECKING, Annotated, Final, Protocol
 
 import typer
@@ -25,6 +26,7 @@ GROUP: Final = "rolamento.reproductions"
 
 Progress = Callable[[int, int, object], None]
 _LONGEST_TEXT: Final = 40
+_INDENT: Final = "    "
 
 
 class Reproduction(Protocol):
@@ -88,8 +90,7 @@ def reproduce(
                 )
             )
         if name is None:
-            texts = [f"{key}\n    {_loaded(found[key]).reference}\n" for key in sorted(found)]
-            print_text("".join(texts))
+            print_text("".join(f"{key}\n{_hung(_loaded(found[key]))}\n" for key in sorted(found)))
             return
         if name not in found:
             rule = said("cannot be reproduced; {guess}", guess=guess(name, sorted(found)))
@@ -97,6 +98,10 @@ def reproduce(
         with _progress_bar() as progress:
             lines = _loaded(found[name]).reproduce(output, pictures.value, progress)
         print_text("\n".join(lines) + "\n")
+
+
+def _hung(one: Reproduction) -> str:
+    return fill(str(one.reference), 80, initial_indent=_INDENT, subsequent_indent=_INDENT)
 
 
 def _loaded(point: EntryPoint) -> Reproduction:

@@ -43,10 +43,10 @@ _BAR: Final = 16
 _MOST_WIDER: Final = 1
 """Characters by which decimal marks in line may widen a column."""
 _INDEXED: Final = re.compile(
-    r"(?<![\w.\\@-])([A-Za-zα-ωΑ-Ωµ])_([A-Za-z0-9]{1,4})"
-    r"(?![^\W²³]|[.\\@-]\w|/(?!\d|[A-Za-zα-ω]_)\w|_)"
+    r"(?<![\w.\\@-])([A-Za-zα-ωΑ-Ωµ](')?)_((?(2)[^\W_]+|[A-Za-z0-9]{1,4}))"
+    r"(?![^\W²³]|[.\\@-]\w|/(?!\d|[A-Za-zα-ω]['_])\w|_)"
 )
-"""A letter with an index, ``Q_max``, ``d_m/2``, ``x_0²``; not in the middle of a name or a path."""
+"""A letter with an index, ``Q_max``, ``d_m/2``, ``x_0²``, ``E'_steel``; not in names or paths."""
 _GROUP: Final = re.compile(r"(?<=\d) (?=\d{3}(?!\d))")
 _SCHEME: Final = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 
@@ -224,7 +224,7 @@ def indexed(text: str) -> Sequence[tuple[str, str]]:
     pieces: list[tuple[str, str]] = []
     end = 0
     for found in _INDEXED.finditer(text):
-        pieces.append((text[end : found.end(1)], found[2]))
+        pieces.append((text[end : found.end(1)], found[3]))
         end = found.end()
     return [*pieces, (text[end:], "")]
 

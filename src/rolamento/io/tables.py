@@ -38,7 +38,7 @@ from rolamento.io.numerals import (
 from rolamento.io.sheets import is_workbook, text_of_workbook
 from rolamento.io.text import STANDARD_INPUT, read_bytes
 from rolamento.records import frozen
-from rolamento.words import marked, said
+from rolamento.words import counted, marked, said
 
 __all__ = [
     "BLANKS",
@@ -592,12 +592,12 @@ def _check_row(found: list[tuple[int, tuple[str, ...]]], separator: str, source:
         rule = said("has a cell of more than {most} characters", most=_LONGEST_CELL)
         raise FileError(rule, source=source, line=line)
     if len(cells) != len(header):
-        numbers = {"count": len(cells), "columns": len(header)}
-        rule = said("has {count} cells where the header has {columns}", **numbers)
+        rule = counted(
+            "has {n} cell where the header has {columns}",
+            "has {n} cells where the header has {columns}",
+            len(cells),
+            columns=len(header),
+        )
         if separator == ",":
-            rule = said(
-                "has {count} cells where the header has {columns}; with decimal commas, separate"
-                " the cells by semicolons",
-                **numbers,
-            )
+            rule += said("; with decimal commas, separate the cells by semicolons")
         raise FileError(rule, source=source, line=line)

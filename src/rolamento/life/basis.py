@@ -135,7 +135,7 @@ class Basis:
         steep = np.isnan(angle).any(axis=1)
         ratings = ratings_of(solved, angle, given)
         turning = _turning_rings(solved, given)
-        speed = _speed(solved)
+        speed = solved.relative_speed
         outside = bool(outside_print(given.reliability, given.edition))
         return cls(
             solved=solved,
@@ -501,11 +501,6 @@ def _limiting_speed(solved: Solved) -> float | None:
     return None if published is None else published.limiting_speed
 
 
-def _speed(solved: Solved) -> FloatArray:
-    """Speed of the rings against each other, unsigned, (cases,), rad/s."""
-    return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
-
-
 def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> EquivalentLoads:
     """P and P_0 of the shaft's load, for one row, a tandem, or a pair that faces each other."""
     rows, load, cases, kind = solved.rows, solved.load, len(solved), ratings.kind
@@ -617,7 +612,7 @@ def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> Fl
     if given.viscosity is None:
         return None
     viscosity = over_cases(given.viscosity, "viscosity", cases)
-    from rolamento.lubrication.oil_state import viscosity_ratio
+    from rolamento.oil.state import viscosity_ratio
 
     ratio = viscosity_ratio(viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter)
     return np.asarray(ratio.min(axis=1))

@@ -29,7 +29,7 @@ from rolamento.pages.life import (
 from rolamento.pages.notes import cautions
 from rolamento.pages.shaft import together_statement
 from rolamento.units import HOUR
-from rolamento.words import Note, manner, said
+from rolamento.words import Note, counted, manner, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life, theory_name
 
@@ -54,7 +54,9 @@ def life_spectrum_page(found: SpectrumLife) -> doc.Document:
         Of `rolamento.tasks.life_spectrum.life_of_duty_spectrum`.
     """
     title = title_of(found.case)
-    heading = said("Life under {count} steps of duty", count=len(found.steps))
+    heading = counted(
+        "Life under {n} step of duty", "Life under {n} steps of duty", len(found.steps)
+    )
     sections = [
         doc.Section("", (doc.Title(title),)),
         doc.Section(heading, _statement(found), "life"),

@@ -21,7 +21,7 @@ from rolamento.pages.shaft import together_sentences
 from rolamento.pages.state import state_page
 from rolamento.units import HOUR
 from rolamento.vibration.frequencies import ABBREVIATIONS
-from rolamento.words import ENDLESS, Note, marked, said
+from rolamento.words import ENDLESS, Note, counted, marked, said
 from rolamento.words.headlines import parted
 from rolamento.words.naming import machine_title
 from rolamento.words.quantities import called
@@ -121,7 +121,8 @@ def _given(solved: SolvedMachine) -> doc.KeyValues:
         doc.Entry(said("bearings"), "\n".join(bearings)),
     ]
     if machine.spectrum:
-        entries.append(doc.Entry(said("spectrum"), said("{count} steps", count=len(solved))))
+        steps = counted("{n} step", "{n} steps", len(solved))
+        entries.append(doc.Entry(said("spectrum"), steps))
     return doc.KeyValues((*entries, *_status(solved)))
 
 
@@ -211,8 +212,12 @@ def _life(found: MachineAnalysis) -> tuple[doc.Block, ...]:
         text = said("Without a result of every step there is no life of the machine.")
         sentences.append((text, "bad-strong"))
     elif together is None:
-        text = said("There is no life of all bearings together: {names} has none.",
-                    names=", ".join(missing))  # fmt: skip
+        text = counted(
+            "There is no life of all bearings together: {names} has none.",
+            "There is no life of all bearings together: {names} have none.",
+            len(missing),
+            names=_listed(missing),
+        )
         sentences.append((text, "warning"))
     elif not (together.valid or together.below):
         sentences.append((none_valid("element"), "bad-strong"))
@@ -239,9 +244,14 @@ def _cautions(found: MachineAnalysis) -> tuple[doc.Notes, ...]:
     for note, names in _each_once(named):
         text = note.text
         if len(names) < len(found.bearings):
-            text = said("{bearing}: {text}", bearing=", ".join(names), text=text)
+            text = said("{bearing}: {text}", bearing=_listed(names), text=text)
         remarks.append(doc.Remark(text, note.key, "warning"))
     return (doc.Notes(tuple(remarks)),) if remarks else ()
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Names with commas between them, or with semicolons where they have commas of their own."""
+    return ("; " if any("," in name for name in names) else ", ").join(names)
 
 
 def _remarks(found: MachineAnalysis) -> list[Note]:
@@ -256,7 +266,7 @@ def _remarks(found: MachineAnalysis) -> list[Note]:
         for note in dict.fromkeys((*own.notes, *of_cases)):
             named.setdefault(note, []).append(name)
     for note, names in _each_once(named):
-        text = said("{bearing}: {text}", bearing=", ".join(names), text=note.text)
+        text = said("{bearing}: {text}", bearing=_listed(names), text=note.text)
         notes.append(Note("text", {"text": text}))
     return list(dict.fromkeys(notes))
 

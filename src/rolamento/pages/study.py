@@ -10,7 +10,7 @@ import numpy as np
 
 from rolamento import document as doc
 from rolamento.charts.axes_units import ANGLES
-from rolamento.words import decimals_for, in_unit, said
+from rolamento.words import counted, decimals_for, in_unit, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
@@ -100,12 +100,12 @@ def _unit_in_files(column: CaseColumn) -> str:
 
 def _counts(summary: Summary) -> list[doc.Block]:
     """Show how many cases there are, how fast they were solved, and how they ended."""
-    values = {"count": summary.cases, "seconds": summary.seconds}
+    first = counted(
+        "{n} case in {seconds:.2} s", "{n} cases in {seconds:.2} s", summary.cases,
+        seconds=summary.seconds,
+    )  # fmt: skip
     if summary.solved > 0 and summary.seconds > 0.0:
-        rate = _rounded(summary.solved / summary.seconds)
-        first = said("{count} cases in {seconds:.2} s, {rate:.0f} cases/s", **values, rate=rate)
-    else:
-        first = said("{count} cases in {seconds:.2} s", **values)
+        first += said(", {rate:.0f} cases/s", rate=_rounded(summary.solved / summary.seconds))
     blocks: list[doc.Block] = [doc.Statement(first)]
     if summary.solved < summary.cases:
         kept = said("{count} of them from an earlier run", count=summary.cases - summary.solved)

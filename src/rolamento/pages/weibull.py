@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
@@ -187,10 +186,8 @@ def _parts_of_group(
         heading = f"{name}: {_sizes(group.test)}"
         blocks.insert(0, doc.Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2))
     tables = [
-        doc.Section(
-            heading, (table if alone else replace(table, caption=f"{name}: {heading}"),), table.key
-        )
-        for heading, table in (
+        doc.Section(title if alone else f"{name}: {title}", (table,), table.key)
+        for title, table in (
             *_table_of_fits(group),
             *_table_of_bounds(group),
             *_at_assumed_shapes(group, wanted),

@@ -249,7 +249,7 @@ def copy_examples(
     folder
         Is made where it is not there.
     force
-        Overwrite files that are there.
+        Overwrite files that are there; those that are as shipped need it not.
 
     Returns
     -------
@@ -268,9 +268,9 @@ def copy_examples(
     chosen = EXAMPLES if known == _ALL else {known: EXAMPLES[known]}
     base = os.fspath(folder)
     placed = {name: _placed(example, base) for name, example in chosen.items()}
-    for example in placed.values():
-        for path in example.files:
-            if os.path.lexists(path) and not force:
+    for name, example in chosen.items():
+        for file, path in zip(example.files, placed[name].files, strict=True):
+            if not force and os.path.lexists(path) and not _is_as_shipped(example, file, path):
                 raise FileError(said("already exists; --force overwrites it"), source=path)
     for name, example in chosen.items():
         for file, path in zip(example.files, placed[name].files, strict=True):
@@ -284,6 +284,14 @@ def _placed(example: Example, folder: str) -> Example:
     paths = {file: os.path.normpath(os.path.join(folder, file)) for file in example.files}
     command = " ".join(paths.get(word, word) for word in example.command.split(" "))
     return replace(example, files=tuple(paths.values()), command=command)
+
+
+def _is_as_shipped(example: Example, file: str, path: str) -> bool:
+    try:
+        with open(path, encoding="utf-8") as there:
+            return there.read() == example.source(file).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return False
 
 
 def _make_folder(path: str) -> None:

@@ -74,6 +74,19 @@ class ImportRequest(FindingRequest):
         "Examples: import gearbox.rexs; import gearbox.rexsz -o machine.toml --json taken.json."
     )
 
+    @model_validator(mode="after")
+    def _refuse_files_of_our_own(self) -> Self:
+        source = os.fspath(self.model)
+        if not source.lower().endswith(".toml"):
+            return self
+        raise FileError(
+            said(
+                "is not a REXS model, which is XML, JSON or a zip archive; a case file is for "
+                "`rolamento solve`, a machine file for `rolamento shaft`"
+            ),
+            source=source,
+        )
+
     @property
     def target(self) -> str:
         """Name of the machine file; after the model where none is given."""

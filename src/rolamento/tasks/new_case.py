@@ -217,7 +217,10 @@ class ExamplesRequest(FindingRequest):
         copied = copy_examples(self.name, self.output, force=self.force)
         paths = dict.fromkeys(path for example in copied.values() for path in example.files)
         lines = [said("Wrote {path}", path=path) for path in paths]
-        lines += [said("Now try: {command}", command=one.command) for one in copied.values()]
+        if len(copied) == 1:
+            lines += [said("Now try: {command}", command=one.command) for one in copied.values()]
+        else:
+            lines += [said("What each shows, and a command to try: rolamento examples")]
         return Finding(copied, text="\n".join(lines) + "\n")
 
 

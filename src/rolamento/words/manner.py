@@ -221,10 +221,16 @@ class Manner(Formatter):
         if not isfinite(value) or value == 0.0:
             return self.fixed(value, 0)
         if not _SMALLEST <= abs(value) < _GREATEST:
-            mantissa, _, exponent = f"{value:.{figures - 1}e}".partition("e")
-            return f"{mantissa.replace('.', self.mark)}e{int(exponent)}"
+            return self.formatted(value, f".{figures - 1}e")
         rounded = round(value, figures - 1 - floor(log10(abs(value))))
         return self.fixed(rounded, max(figures - 1 - floor(log10(abs(rounded))), 0))
+
+    def formatted(self, value: float, form: str) -> str:
+        """Write a number as Python's ``format`` does, its power of ten briefly: 1.83e18, 2e-7."""
+        mantissa, _, exponent = f"{abs(value):{form}}".partition("e")
+        minus = _MINUS if value < 0.0 else ""
+        power = f"e{int(exponent)}" if exponent else ""
+        return minus + mantissa.replace(".", self.mark) + power
 
     def localised(self, quantity: str) -> str:
         """Write a quantity of a case file, such as ``"22.23 mm"``, as a page does."""
@@ -250,12 +256,8 @@ class Manner(Formatter):
             text = self.fixed(scaled, int(digits))
         elif form == "r":
             text = self.significant(scaled, int(digits))
-        elif form == "e":
-            size = f"{scaled:.{digits}e}".replace(".", self.mark)
-            text = size if isfinite(scaled) else ABSENT
-        elif form == "g" and isfinite(scaled):
-            size = f"{abs(scaled):.{digits}g}".replace(".", self.mark)
-            text = (_MINUS if scaled < 0.0 else "") + size
+        elif form in ("e", "g"):
+            text = self.formatted(scaled, f".{digits}{form}") if isfinite(scaled) else ABSENT
         else:
             text = self.short(scaled, int(digits) if digits else _FIGURES)
         text = f"+{text}" if sign and scaled > 0.0 else text

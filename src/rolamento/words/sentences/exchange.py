@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from rolamento.words.sentences import Sentence
-from rolamento.words.speaking import marked, said
+from rolamento.words.speaking import counted, marked, said
 
 __all__ = ["SENTENCES"]
 
@@ -48,6 +48,16 @@ def _axial_word(values: Mapping[str, Any]) -> str:
         direction=said(_DIRECTIONS[str(values["word"])]),
         key=values["key"],
         value=values["value"],
+    )
+
+
+def _components_left(values: Mapping[str, Any]) -> str:
+    return counted(
+        "{n} component {type} is not read: {ids}.",
+        "{n} components {type} are not read: {ids}.",
+        int(values["count"]),
+        type=values["type"],
+        ids=values["ids"],
     )
 
 
@@ -103,7 +113,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rexs_forces_as_load": marked("The forces of its mesh are given; they count as a load."),
     "rexs_axial_word": _axial_word,
     # left out
-    "rexs_components_left": marked("{count} components {type} are not read: {ids}."),
+    "rexs_components_left": _components_left,
     "rexs_attributes_left": marked("Attributes of {type} are not read: {attributes}."),
     "rexs_results_left": marked(
         "The results that the file holds are not read; `rolamento shaft` calculates anew."
