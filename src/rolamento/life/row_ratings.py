@@ -26,6 +26,7 @@ from rolamento.life.iso281_modified import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
     SELF_ALIGNING_CONFORMITY,
+    THRUST_STATIC_CONFORMITY,
     Rated,
     RatedType,
     dynamic_factor,
@@ -34,8 +35,12 @@ from rolamento.ratings import (
     rated_as,
     roller_dynamic_rating,
     roller_static_rating,
+    self_aligning_static_factor,
+    static_factor,
+    static_factor_of_grooves,
     static_rating,
     thrust_dynamic_factor,
+    thrust_static_factor,
 )
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
@@ -269,7 +274,8 @@ def _by_geometry(
         return np.stack(columns, axis=1), static
     grooves = (rows.inner_conformity[:, own], rows.outer_conformity[:, own])
     factor = _groove_factor(inside[1], around[0], grooves, around[1], kind)
-    static = static_rating(*inside, *around, kind=kind)
+    lower = _static_groove_factor(inside[1], around[0], grooves, around[1], kind)
+    static = static_rating(*inside, *around, kind=kind, factor=lower)
     return dynamic_rating(*inside, *around, kind=kind, factor=factor), static
 
 
@@ -400,3 +406,24 @@ def _groove_factor(
     outer = np.maximum(grooves[1], OUTER_GROOVE)
     full = dynamic_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
     return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
+
+
+def _static_groove_factor(
+    diameter: FloatArray,
+    pitch: FloatArray,
+    grooves: tuple[FloatArray, FloatArray],
+    angle: FloatArray,
+    kind: RatedType,
+) -> FloatArray:
+    """f_0 likewise: ISO 76 has it reduced for grooves that are more open than its table takes."""
+    gamma = diameter * np.where(angle >= 0.5 * np.pi, 0.0, np.cos(angle)) / pitch
+    if kind == "thrust":
+        return thrust_static_factor(
+            gamma, np.maximum(THRUST_STATIC_CONFORMITY, np.maximum(*grooves))
+        )
+    if kind == "self_aligning":
+        return self_aligning_static_factor(gamma, np.maximum(SELF_ALIGNING_CONFORMITY, grooves[0]))
+    inner = np.maximum(grooves[0], INNER_GROOVE)
+    outer = np.maximum(grooves[1], OUTER_GROOVE)
+    full = static_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
+    return np.asarray(static_factor(gamma) * static_factor_of_grooves(gamma, inner, outer) / full)
