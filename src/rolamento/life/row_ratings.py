@@ -392,11 +392,10 @@ def _groove_factor(
 ) -> FloatArray:
     """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
     if rated_as(kind)["axial"]:
-        ratio = diameter / pitch
-        usual = thrust_dynamic_factor(ratio, angle)
-        openest = np.maximum(*grooves)
-        opened = openest > rated_as(kind)["conformities"][0]
-        return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
+        ratio, most = diameter / pitch, rated_as(kind)["conformities"][0]
+        opened = thrust_dynamic_factor(ratio, angle, np.maximum(most, np.maximum(*grooves)))
+        full = thrust_dynamic_factor(ratio, angle, most)
+        return np.asarray(thrust_dynamic_factor(ratio, angle) * opened / full)
     gamma = diameter * np.cos(angle) / pitch
     if kind != "radial":
         own, least = grooves[0], SELF_ALIGNING_CONFORMITY
