@@ -230,6 +230,15 @@ def nominal_contact_angle(solved: Solved) -> FloatArray:
     return np.minimum(angle, 0.5 * np.pi)  # a conical washer leans beyond it
 
 
+def nominal_conformities(solved: Solved) -> tuple[FloatArray, FloatArray]:
+    """Conformities that standards rate the rows by, (cases, rows): those before mounting.
+
+    A warm bearing with ceramic balls has more open grooves, and the same rating.
+    """
+    given = solved.rows if solved.before_mounting is None else solved.before_mounting
+    return given.inner_conformity, given.outer_conformity
+
+
 def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
     """Nominal contact angle of radial rows, NaN beyond 45°, of thrust bearings as it is.
 
@@ -272,7 +281,8 @@ def _by_geometry(
             for i, name in enumerate(names)
         ]
         return np.stack(columns, axis=1), static
-    grooves = (rows.inner_conformity[:, own], rows.outer_conformity[:, own])
+    inner, outer = nominal_conformities(solved)
+    grooves = inner[:, own], outer[:, own]
     factor = _groove_factor(inside[1], around[0], grooves, around[1], kind)
     lower = _static_groove_factor(inside[1], around[0], grooves, around[1], kind)
     static = static_rating(*inside, *around, kind=kind, factor=lower)
