@@ -40,7 +40,7 @@ def test_fits_leave_ratings_and_equivalent_load_alone(designation: str) -> None:
 
 @pytest.mark.parametrize("designation", ["S 6012 C", "S 6012 C DB"])
 def test_warm_grooves_are_rated_cold(designation: str) -> None:
-    """Ceramic balls grow less than their grooves, which are more open when warm, not rated lower."""
+    """Ceramic balls grow less than their grooves: these open when warm, and are rated cold."""
     own = {"designation": designation, "ball_material": "Si3N4"}
     own |= {"preload": "150 N"} if "DB" in designation else {}
     plain = Case.from_mapping({"bearing": own, "duty": _DUTY})
