@@ -45,6 +45,7 @@ from rolamento.life.row_ratings import (
     Ratings,
     UnratedError,
     has_steel_elements,
+    nominal_conformities,
     nominal_contact_angle,
     ratings_of,
     row_kinds,
@@ -620,8 +621,8 @@ def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> Fl
 
 def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     """What every theory that starts from the rating has to say of the bearing, by note."""
-    cases, rows = len(solved), solved.rows
-    inner, outer = rows.inner_conformity, rows.outer_conformity
+    cases = len(solved)
+    inner, outer = nominal_conformities(solved)
     # rollers have no grooves: NaN, neither open nor close
     most = np.array([rated_as(kind)["conformities"] for kind in row_kinds(solved)])
     opened = (inner > most[:, 0] + _GROOVE_MARGIN) | (outer > most[:, 1] + _GROOVE_MARGIN)

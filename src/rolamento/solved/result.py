@@ -76,10 +76,14 @@ class Delivered:
         with its mounting
     contact_angle
         nominal, 0 of rows given by their clearance; (cases, rows), rad
+    inner_conformity, outer_conformity
+        of the grooves, NaN of rollers; (cases, rows)
     """
 
     case: Case
     contact_angle: FloatArray
+    inner_conformity: FloatArray
+    outer_conformity: FloatArray
 
 
 @frozen(eq=False, slots=False)
@@ -163,9 +167,7 @@ class Solved:
             refusals=None if self.refusals is None else self.refusals.part(some),
             before_mounting=None
             if self.before_mounting is None
-            else replace(
-                self.before_mounting, contact_angle=self.before_mounting.contact_angle[some]
-            ),
+            else taken(self.before_mounting, some, shared=("case",)),
             preloading=vars(self).get("preload", self.preloading),
             written_notes=_chosen(self.written_notes, some),
             written_advice=_chosen(self.written_advice, some),
