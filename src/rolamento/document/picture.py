@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import re
 import warnings
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
     from rolamento.document.model import Figure as Shown
 
-__all__ = ["Formula", "alternative_of", "formula", "picture_bytes"]
+__all__ = ["Formula", "alternative_of", "formula", "picture_address", "picture_bytes"]
 
 # Nothing that tells when or with which release a figure was drawn.
 _METADATA: Final[dict[str, dict[str, Any]]] = {
@@ -29,6 +30,13 @@ _SETTINGS: Final[Any] = {
     "svg.hashsalt": "rolamento",
     "svg.fonttype": "path",
 }
+_IN_THE_DARK: Final = (
+    "<style>@media (prefers-color-scheme: dark) {"
+    "svg { filter: invert(.91) hue-rotate(180deg); }"
+    'image, [id*="QuadMesh"], [id*="colour-map"] { filter: invert(1) hue-rotate(180deg); }'
+    "}</style>"
+)
+"""As `page.css` says of pictures that stand in a page: a map of colours stays as it is."""
 _NOT_XML: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _CODES: Final = {1: "M", 2: "L", 3: "Q", 4: "C"}
 _POINTS_OF_CODE: Final = {1: 1, 2: 1, 3: 2, 4: 3}
@@ -75,6 +83,16 @@ def picture_bytes(drawn: Figure | Axes, kind: str, *, transparent: bool = False)
         return content.getvalue()
     # Matplotlib says in comments which text it has drawn, whatever its characters
     return _NOT_XML.sub("?", content.getvalue().decode("utf-8", "replace")).encode()
+
+
+def picture_address(drawn: Figure | Axes) -> str:
+    """Return a picture as the address of an image that holds it, dark where its place is dark.
+
+    No style of a page reaches into an image; it knows the colour scheme of its place by itself.
+    """
+    opening, start, rest = picture_bytes(drawn, "svg", transparent=True).partition(b"<defs>")
+    own = opening + _IN_THE_DARK.encode() + start + rest
+    return f"data:image/svg+xml;base64,{base64.b64encode(own).decode()}"
 
 
 def _draw_once(figure: Figure, content: io.BytesIO) -> None:

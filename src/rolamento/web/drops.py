@@ -8,7 +8,6 @@ user calls the file is only said; it is never part of a path.
 
 from __future__ import annotations
 
-import base64
 import os
 import re
 import unicodedata
@@ -425,21 +424,11 @@ def _below(html: str) -> str:
     return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
 
 
-_COLOUR_MAPS: Final = (b"<image", b'id="QuadMesh', b'id="colour-map')
-
-
 def as_data(figure: Figure) -> str | None:
-    """Return a picture as a name that holds it, and ends in ``#colours`` where colours are numbers.
+    """Return a picture as a name that holds it; images may not ask for anything."""
+    from rolamento.document.picture import picture_address
 
-    Images may not ask for anything.
-    """
-    if figure.draw is None:
-        return None
-    from rolamento.document.picture import picture_bytes
-
-    drawn = picture_bytes(figure.draw(), "svg", transparent=True)
-    is_map = any(mark in drawn for mark in _COLOUR_MAPS)
-    return f"data:image/svg+xml;base64,{base64.b64encode(drawn).decode()}{'#colours' * is_map}"
+    return None if figure.draw is None else picture_address(figure.draw())
 
 
 def file_of(document: Document, mapping: dict[str, Any], form: str) -> dict[str, Any]:

@@ -5,7 +5,6 @@ Of a request nothing is read but its own tables: they may name no file.
 
 from __future__ import annotations
 
-import base64
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -336,17 +335,17 @@ def _picture(found: MachineAnalysis, key: str, step: int) -> str:
 
 def _drawing(found: MachineAnalysis, step: int, width: int) -> dict[str, Any]:
     """The machine to scale, what can be taken hold of, and how its shafts bend; in points."""
-    from rolamento.document.picture import picture_bytes
+    from rolamento.document.picture import picture_address
     from rolamento.plots.machine_sketch import sketch_machine
 
     machine = found.solved.machine
     with _PEN:
         sketch = sketch_machine(machine, step=step, width=width)
-        image = picture_bytes(sketch.figure, "svg", transparent=True)
+        image = picture_address(sketch.figure)
     lines, times = _deflected(found, step, sketch)
     return {
         "drawing": {
-            "image": "data:image/svg+xml;base64," + base64.b64encode(image).decode(),
+            "image": image,
             "width": sketch.width,
             "height": sketch.height,
             "left": sketch.left,
