@@ -26,7 +26,7 @@ from pydantic_core import CoreSchema, core_schema
 from rolamento.errors import InputError, UnitError
 from rolamento.records import frozen
 from rolamento.units import SI_UNIT, Dimension, from_si, name_of, to_si
-from rolamento.words import marked, said
+from rolamento.words import Written, marked, said
 
 if TYPE_CHECKING:
     import numpy as np
@@ -95,9 +95,11 @@ class Quantity:
     @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
-        texts = {relation: getattr(self, relation) for relation in self.limits_in_si}
-        if self.dimension is None:
-            texts = {relation: f"{limit:g}" for relation, limit in texts.items()}
+        limits = {relation: getattr(self, relation) for relation in self.limits_in_si}
+        texts = {
+            relation: Written(f"{limit:g}" if self.dimension is None else limit)
+            for relation, limit in limits.items()
+        }
         return said(_LIMITS[tuple(texts)], **texts) if texts else ""
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:

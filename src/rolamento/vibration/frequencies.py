@@ -413,7 +413,7 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
         raise InputError(
             said("must be a single case"),
             field="solved",
-            value=f"{len(solved)} cases",
+            value=len(solved),
             example="solved[0]",
         )
     _check_slip(slip)

@@ -198,7 +198,7 @@ def _turning(signal: Signal) -> FloatArray:
                 "the shaft rotates steadily"
             ),
             field="speed",
-            value=f"{_TURN * lowest:g} to {_TURN * highest:g} rad/s",
+            value=said("{low:.6 [rpm]} to {high:.6 rpm}", low=_TURN * lowest, high=_TURN * highest),
         )
     return np.abs(speed)
 
