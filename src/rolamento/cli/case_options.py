@@ -46,10 +46,10 @@ CASE_OPTIONS: Final[Mapping[str, Any]] = {
     "catalogue": _option(
         "--catalogue",
         "FILE",
-        "A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+        "A catalogue of your own, CSV or TOML, for designations.",
         many=True,
     ),
-    "set": _option("--set", "KEY=VALUE", "Override a field of the case. Repeatable.", many=True),
+    "set": _option("--set", "KEY=VALUE", "Override a field of the case.", many=True),
 }
 """Options by their parameters, in the order of the help."""
 

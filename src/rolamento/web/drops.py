@@ -86,7 +86,6 @@ WORDS: Final[Mapping[str, str]] = {
     "paste_example": marked("time (h),status\n120,failed\n340,suspended"),
     "examples": marked("Try an example"),
     "more": marked("More options"),
-    "several": marked("Several: with semicolons between"),
     "none": marked("(not given)"),
     "run_signal": marked("Diagnose the record"),
     "run_weibull": marked("Evaluate the life test"),
