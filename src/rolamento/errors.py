@@ -220,7 +220,8 @@ class InputError(RolamentoError, ValueError):
         field = shortened(_escaped(named), 2 * _LONGEST_VALUE)
         if self.value is ABSENT:
             return field
-        return f"{field} = {shown(self.value)}" if field else shown(self.value)
+        between = ": " if field.startswith("--") else " = "  # an option, or a field of a case
+        return f"{field}{between}{shown(self.value)}" if field else shown(self.value)
 
     def with_details(
         self,
