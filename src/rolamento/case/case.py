@@ -29,7 +29,7 @@ from rolamento.case.rolling_bearing import RollingBearing, element_named
 from rolamento.case.static import Static
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import FileError, InputError, nearest
+from rolamento.errors import FileError, InputError, kind_of, nearest
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -424,7 +424,7 @@ def case_of(source: BearingLike, changes: Changes = ()) -> Case:
         raise InputError(
             said("must be a Case, a bearing, a designation or the path of a case file"),
             field="case",
-            value=type(source).__name__,
+            value=kind_of(source),
             example='"6310/C3"',
         )
     return override(source, changes) if changes else source

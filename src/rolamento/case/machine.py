@@ -81,7 +81,7 @@ from rolamento.case.record import Record
 from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import ABSENT, InputError, guess
+from rolamento.errors import ABSENT, InputError, guess, kind_of
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -883,7 +883,7 @@ def _tables_of_case(case: Any, *, in_file: bool) -> dict[str, Any]:
     raise InputError(
         said("must be the name of a case file; in Python a Case"),
         field="case",
-        value=case if isinstance(case, str | int | float) else type(case).__name__,
+        value=kind_of(case),
         example='case = "6308.toml"',
     )
 

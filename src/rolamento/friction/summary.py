@@ -124,10 +124,10 @@ class Friction:
         return {
             "": f"{self.model}{bound}",
             "cases": str(len(self.torque)),
-            "torque": f"{span(1e3 * self.torque, 'N mm')}, {span(1e3 * self.torque_range, 'N mm')}"
+            "torque": f"{span(1e3 * self.torque, 'N·mm')}, {span(1e3 * self.torque_range, 'N·mm')}"
             " with the coefficient at its limits",
             "power": span(self.power, "W"),
-            "starting torque": span(1e3 * self.starting_torque, "N mm"),
+            "starting torque": span(1e3 * self.starting_torque, "N·mm"),
             "friction coefficient": span(self.friction_coefficient),
             "regime": ", ".join(dict.fromkeys(map(str, self.regime))),
             "torque by source": ", ".join(

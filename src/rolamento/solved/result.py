@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
-from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
+from rolamento.errors import FileError, InputError, UnknownKeyError, kind_of, nearest
 from rolamento.geometry import Angle, Race
 from rolamento.io.json import dumps, plain
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
@@ -538,6 +538,6 @@ def refuse_other(given: object, function: str) -> None:
         raise InputError(
             said("must be the result of rolamento.solve"),
             field="solved",
-            value=type(given).__name__,
+            value=kind_of(given),
             example=f"{function}(rolamento.solve(case))",
         )

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
-from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.friction.machine import are_designated
 from rolamento.records import frozen
 from rolamento.words import marked, said, speaking
@@ -157,12 +157,7 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
     found = []
     for name in names:
         if name not in known:
-            near = nearest(name, known)
-            advice = (
-                said("did you mean {near}?", near=near)
-                if near
-                else said("rolamento sweep --list outputs lists them all")
-            )
+            advice = guess(name, known, said("rolamento sweep --list outputs lists them all"))
             raise UnknownKeyError(
                 said("is an unknown output; {advice}", advice=advice), field="outputs", value=name
             )

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 import scipy
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, kind_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.validate import number
@@ -154,7 +154,7 @@ def order_spectrum(angular: AngularSignal) -> Spectrum:
         raise InputError(
             said("must be an AngularSignal"),
             field="angular",
-            value=type(angular).__name__,
+            value=kind_of(angular),
             example="order_spectrum(order_tracked(signal))",
         )
     values = one_sided_amplitudes(angular.samples)
