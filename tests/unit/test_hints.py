@@ -90,9 +90,7 @@ def test_of_many_the_nearest_are_named_and_where_the_others_stand() -> None:
     ("given", "told"), [(None, "None"), (3, "3"), ([], "a list"), (object(), "an object of type")]
 )
 def test_what_is_no_case_is_shown_as_it_is(given: Any, told: str) -> None:
-    with pytest.raises(
-        InputError, match=rf"^case = {told}.*: must be a Case, a bearing.*6310/C3"
-    ):
+    with pytest.raises(InputError, match=rf"^case = {told}.*: must be a Case, a bearing.*6310/C3"):
         solve(given)
 
 

@@ -58,7 +58,6 @@ from rolamento.case.machine_files import (
     MOST_SECTIONS,
     MOST_UNKNOWNS,
     lines_of_machine,
-    numbers_of,
     with_files,
 )
 from rolamento.case.machine_loads import (
@@ -76,7 +75,7 @@ from rolamento.case.machine_loads import (
 from rolamento.case.machine_sheets import holds_sheets, read_sheets
 from rolamento.case.material import Material
 from rolamento.case.model import Model
-from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Replaces
+from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Replaces, finite_number
 from rolamento.case.record import Record
 from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
@@ -383,8 +382,7 @@ def _stiffness(value: Any, units: Units | None, *, in_file: bool) -> Numbers | R
             number = to_si(entry, "angular_stiffness" if tilts else "stiffness")
         else:
             _check_units(units, in_file=in_file)
-            (number,) = numbers_of([entry])
-            number *= _SCALES[units or "N/m"][2 if tilts else 0]
+            number = finite_number(entry) * _SCALES[units or "N/m"][2 if tilts else 0]
         if number < 0.0 or not math.isfinite(number):
             raise InputError(said("must be at least {at_least}", at_least="0"), value=entry,
                              example=_EXAMPLE)  # fmt: skip
@@ -417,7 +415,7 @@ def _matrix(value: Any, units: Units | None, size: int, *, in_file: bool) -> Row
             said("must be a matrix of {size} rows and columns", size=size), value=value
         )
     _check_units(units, in_file=in_file)
-    matrix = np.array([numbers_of(row) for row in value])
+    matrix = np.array([[finite_number(one) for one in row] for row in value])
     shift, mixed, tilt = _SCALES[units or "N/m"]
     tilts = np.arange(size) % _DEGREES_OF_FREEDOM > 2
     both = tilts[:, None].astype(int) + tilts

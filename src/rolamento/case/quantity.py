@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["AT_THE_BORDER", "Count", "InSI", "Line", "Quantity", "Replaces"]
+__all__ = ["AT_THE_BORDER", "Count", "InSI", "Line", "Quantity", "Replaces", "finite_number"]
 
 AT_THE_BORDER: Final = {"border": True}
 """The context in which values cross between text and SI: a file is read or written."""
@@ -138,24 +138,13 @@ class Quantity:
         """Return a value in SI units, with no negative zero, or name the rule that it breaks."""
         if isinstance(value, str) and self.dimension is not None:
             number = to_si(value, self.dimension)
-        elif isinstance(value, bool) or not isinstance(value, numbers.Real):
-            raise InputError(said("must be a number"), value=value)
-        elif (
-            self.dimension is not None
-            and info.context == AT_THE_BORDER
-            and not isinstance(value, InSI)
-        ):
-            rule = said(
-                "needs a unit of {dimension}, written as text", dimension=name_of(self.dimension)
-            )
-            raise UnitError(rule, value=value)
         else:
-            try:
-                number = float(value)
-            except OverflowError:
-                number = math.inf
-        if not math.isfinite(number):
-            raise InputError(said("must be a finite number"), value=value)
+            number = finite_number(value)
+            bare = info.context == AT_THE_BORDER and not isinstance(value, InSI)
+            if self.dimension is not None and bare:
+                name = name_of(self.dimension)
+                rule = said("needs a unit of {dimension}, written as text", dimension=name)
+                raise UnitError(rule, value=value)
         for relation, limit in self.limits_in_si.items():
             if not _RELATIONS[relation](number, limit):
                 raise InputError(said("must be {limits}", limits=self.limits), value=value)
@@ -180,6 +169,25 @@ class Replaces:
 
     def __init__(self, *names: str) -> None:
         self.names = names
+
+
+def finite_number(value: object) -> float:
+    """Return a real number, one of NumPy too, as a float.
+
+    Raises
+    ------
+    InputError
+        If it is none, or not finite.
+    """
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise InputError(said("must be a number"), value=value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(said("must be a finite number"), value=value)
+    return number
 
 
 def _whole_number(value: object) -> object:
