@@ -134,7 +134,8 @@ def draw(
     if axes is None:
         axes = (new_polar_figure() if chart.polar else new_figure(height=height))[1]
     axes = _turned(axes) if chart.polar else require_axes(axes)
-    axes.set_label(chart.alternative)
+    shows = chart.shows.replace("\n", ", ")
+    axes.set_label(f"{shows}\n{chart.says}")  # of which pages make captions
     if not chart.series:
         return empty_frame(axes, chart.conclusion)
     draw_series(chart, axes)

@@ -46,7 +46,7 @@ from rolamento.document.model import (
     Table,
     Title,
 )
-from rolamento.document.picture import alternative_of, formula, picture_bytes
+from rolamento.document.picture import alternative_of, conclusion_of, formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
@@ -327,6 +327,7 @@ def _figure(block: Figure) -> list[dict[str, Any]]:
             "width": width,
             "sketch": sketch,
             "caption": _text(block.caption),
+            "says": _text(conclusion_of(block, drawn)),
             "alternative": _plain(alternative_of(block, drawn)),
         }
     ]

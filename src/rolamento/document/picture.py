@@ -16,7 +16,14 @@ if TYPE_CHECKING:
 
     from rolamento.document.model import Figure as Shown
 
-__all__ = ["Formula", "alternative_of", "formula", "picture_address", "picture_bytes"]
+__all__ = [
+    "Formula",
+    "alternative_of",
+    "conclusion_of",
+    "formula",
+    "picture_address",
+    "picture_bytes",
+]
 
 # Nothing that tells when or with which release a figure was drawn.
 _METADATA: Final[dict[str, dict[str, Any]]] = {
@@ -44,23 +51,37 @@ _CLOSE: Final = 79
 _SIZE: Final = 100.0
 
 
-def alternative_of(shown: Shown, drawn: Figure | Axes | None = None) -> str:
-    """Return what a picture shows, for those who cannot see it.
+def conclusion_of(shown: Shown, drawn: Figure | Axes | None) -> str:
+    """Return what a picture says, in a line below its caption; empty if the caption says it.
 
     Parameters
     ----------
     shown
         The block of a page.
     drawn
-        What it has drawn; axes carry what their chart says as their label.
+        What it has drawn.
     """
-    figure: Any = None if drawn is None else drawn.get_figure(root=True)
-    labels = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
-    told = ". ".join(dict.fromkeys(one for one in labels if one and one[0] not in "_<"))
+    caption = shown.caption.casefold()
+    said = dict.fromkeys(says.rstrip(".") for _, says in _charts(drawn))
+    new = [one for one in said if one and one.casefold() not in caption]
+    return " · ".join(one[:1].upper() + one[1:] for one in new)
+
+
+def alternative_of(shown: Shown, drawn: Figure | Axes | None = None) -> str:
+    """Return what a picture shows, for those who cannot see it; its parameters as above."""
+    told = ". ".join(dict.fromkeys(". ".join(filter(None, one)) for one in _charts(drawn)))
     caption = shown.caption.rstrip(".")
     if shown.alternative or not told:
         return shown.alternative or shown.caption
     return told if caption in told else f"{caption}. {told}"
+
+
+def _charts(drawn: Figure | Axes | None) -> list[tuple[str, str]]:
+    """Return of each chart in a picture what it shows and what it says."""
+    figure: Any = None if drawn is None else drawn.get_figure(root=True)
+    labels = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
+    parted = (label.partition("\n") for label in labels)
+    return [(shows, says) for shows, end, says in parted if end and (shows or says)]
 
 
 def picture_bytes(drawn: Figure | Axes, kind: str, *, transparent: bool = False) -> bytes:

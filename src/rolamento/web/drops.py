@@ -25,7 +25,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from rolamento.document import Document, Figure, Section, Statement
+from rolamento.document import Document, Section, Statement
 from rolamento.errors import InputError
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
@@ -47,7 +47,6 @@ if TYPE_CHECKING:
 __all__ = [
     "LARGEST",
     "WORDS",
-    "as_data",
     "described",
     "ending_of",
     "example_file",
@@ -404,7 +403,7 @@ def _answer(
             "tone": "" if first is None else first.tone,
         },
         "title": document.title,
-        "html": "".join(_below(body(_pictures_first(one), picture=as_data)) for one in pages),
+        "html": "".join(_below(body(_pictures_first(one), images=True)) for one in pages),
         "files": [one for one in _TYPES if one not in ("csv", "xlsx") or document.tables()],
     }
 
@@ -421,13 +420,6 @@ def _pictures_first(document: Document) -> Document:
 def _below(html: str) -> str:
     """Return a page as a part of another: its headings stand a level lower."""
     return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
-
-
-def as_data(figure: Figure) -> str | None:
-    """Return a picture as a name that holds it; images may not ask for anything."""
-    from rolamento.document.picture import picture_address
-
-    return None if figure.draw is None else picture_address(figure.draw())
 
 
 def file_of(document: Document, mapping: dict[str, Any], form: str) -> dict[str, Any]:

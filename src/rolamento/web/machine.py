@@ -37,7 +37,7 @@ from rolamento.pages.machine import PICTURES, machine_page, machine_picture, mac
 from rolamento.tasks.examples import EXAMPLES, TITLES
 from rolamento.validate import one_of
 from rolamento.web.answers import answer, error_object, read_json
-from rolamento.web.drops import REPORTS, as_data, file_of, plain_name, response_of
+from rolamento.web.drops import REPORTS, file_of, plain_name, response_of
 from rolamento.web.form import in_labels
 from rolamento.web.limits import SECONDS, by_weight, check_machine, size_of_machine, slow
 from rolamento.words import language, marked, said
@@ -327,7 +327,7 @@ def _html(section: Section, **more: Any) -> str:
 def _picture(found: MachineAnalysis, key: str, step: int) -> str:
     with _PEN:
         figure = machine_picture(found.solved, key, step)
-        return _html(Section("", (figure,), key="picture"), picture=as_data)
+        return _html(Section("", (figure,), key="picture"), images=True)
 
 
 # --- the drawing ----------------------------------------------------------------------------------
