@@ -43,7 +43,7 @@ __all__ = [
 ]
 
 _LONGEST_VALUE: Final = 60
-_MOST_LISTED: Final = 20
+_MOST_LISTED: Final = 40
 _MOST_ALIKE: Final = 3
 _NEAREST: Final = 5
 _ACTING: Final = "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"

@@ -286,7 +286,7 @@ class Shaft(Record):
                 raise InputError(
                     said("is missing; {beside} needs it", beside=beside),
                     field=missing,
-                    example='ratio = -0.4 and of = "input shaft"',
+                    example='ratio = -0.4, of = "input shaft"',
                 )
         if self.ratio is not None and self.speed != 0.0:
             raise InputError(
@@ -633,7 +633,7 @@ class Spring(Record):
                 raise InputError(
                     said("is missing; {beside} needs it", beside=beside),
                     field=missing,
-                    example='to_shaft = "other shaft" and to_position = "0 mm"',
+                    example='to_shaft = "other shaft", to_position = "0 mm"',
                 )
         return self
 
@@ -1620,7 +1620,7 @@ def _check_bearing(machine: Machine, bearing: MachineBearing, field: str) -> Non
             raise InputError(
                 said("is for single rows; a set takes its preload from its bearing table"),
                 field=f"{field}.{name}",
-                example='[bearings.bearing] with preload = "500 N"',
+                example='[bearings.bearing] preload = "500 N"',
             )
         if not case.bearing.locates:
             raise InputError(

@@ -110,7 +110,7 @@ def _between_rings(
             raise InputError(
                 said("is missing; {beside} needs it", beside=beside),
                 field=f"{field}.{missing}",
-                example='matrix = "housing.mtx" and nodes = "nodes.csv"',
+                example='matrix = "housing.mtx", nodes = "nodes.csv"',
             )
     if others is not None:
         one_of(others, f"{field}.others", ("free", "held"), 'others = "free"')

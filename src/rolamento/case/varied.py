@@ -106,7 +106,7 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
             raise InputError(
                 said("cannot be combined with {before}", before=before),
                 field=name,
-                example=f"{name} without {before}",
+                example=_EXAMPLE,
             )
         arrays[name] = _numbers(field, value)
     shapes = {array.shape for array in arrays.values() if array.ndim}

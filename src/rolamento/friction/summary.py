@@ -467,7 +467,7 @@ def no_coefficient(case: Case) -> InputError:
         return InputError(
             said("is missing; the friction calculation needs it, or a coefficient of friction"),
             field="temperature.lubricant",
-            example='[temperature] with lubricant = "70 degC"',
+            example='[temperature] lubricant = "70 degC"',
         )
     return InputError(
         said(
@@ -475,7 +475,7 @@ def no_coefficient(case: Case) -> InputError:
             " temperature"
         ),
         field="lubricant.friction_coefficient",
-        example='lubricant = "ISO VG 68", and [temperature] with lubricant = "70 degC"',
+        example='lubricant = "ISO VG 68", [temperature] lubricant = "70 degC"',
     )
 
 
