@@ -50,7 +50,7 @@ from rolamento.document.picture import alternative_of, conclusion_of, formula, p
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
-__all__ = ["pdf"]
+__all__ = ["pdf", "set_by_typst"]
 
 _PAGE: Final = Path(__file__).with_name("page.typ")
 _WIDEST: Final = 112
@@ -72,6 +72,13 @@ def pdf(document: Document) -> bytes:
     document
         What to show.
     """
+    made = set_by_typst(document, format="pdf")
+    assert isinstance(made, bytes)
+    return made
+
+
+def set_by_typst(document: Document, **form: Any) -> bytes | list[bytes] | None:
+    """Return what Typst makes of a document; form: such as PNG of so many dots an inch."""
     import typst
     from matplotlib import get_data_path
 
@@ -84,9 +91,7 @@ def pdf(document: Document) -> bytes:
         compiler = typst.Compiler(
             _page(), root=empty, font_paths=fonts, sys_inputs={"document": json.dumps(given)}
         )
-        made = compiler.compile(format="pdf")
-    assert isinstance(made, bytes)
-    return made
+        return compiler.compile(**form)
 
 
 @cache
