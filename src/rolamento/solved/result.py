@@ -136,8 +136,18 @@ class Solved:
         return len(self.status.number)
 
     def __getitem__(self, index: int | slice | NDArray[Any] | list[Any]) -> Solved:
-        """Return some of the cases, as a result of its own."""
+        """Return some of the cases, as a result of its own.
+
+        Raises
+        ------
+        InputError
+            For a name: fields are read by `field`.
+        """
         some: Index
+        if isinstance(index, str):
+            rule = said("must be the number of a case, a slice or a mask")
+            example = 'solved[0], or solved.field("duty.load.fz")'
+            raise InputError(rule, field="solved", value=index, example=example)
         if isinstance(index, int | np.integer):
             if not -len(self) <= index < len(self):
                 raise IndexError(f"case {index} of {len(self)}")
