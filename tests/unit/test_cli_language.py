@@ -163,3 +163,10 @@ def test_an_error_of_the_library_is_english_unless_another_is_spoken() -> None:
     with speaking("pt"), pytest.raises(rolamento.InputError) as caught:
         rolamento.Bearing(ball_count=2)
     assert "falta" in str(caught.value) or "no mínimo 3" in str(caught.value)
+
+
+def test_prose_has_decimal_commas() -> None:
+    """What is no code, no option and no number of a chapter is written as the language has it."""
+    help_of = flat(run("weibull", "--help", "--lang", "pt")[1])
+    assert "0,9 para L10; por padrão 0,9 e 0,5." in help_of
+    assert not re.search(r"como \d\.\d", help_of)
