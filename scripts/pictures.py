@@ -16,13 +16,17 @@ import shlex
 import sys
 import tempfile
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import Any, Final
 
 sys.path.insert(0, str(Path(__file__).parent))
 from guides import command, keep_picture, script
+from PIL import Image
 
+from rolamento.document.pdf import set_by_typst
 from rolamento.tasks.examples import copy_examples
+from rolamento.tasks.inside import ReportRequest
 
 DOCS: Final = Path(__file__).parents[1] / "docs"
 TARGET: Final = DOCS / "gallery"
@@ -98,17 +102,21 @@ PICTURES: Final[dict[str, tuple[str, ...]]] = {
     "machines/three_supports-bearings": (_SHAFT.format("three_supports", "bearings"),),
 }
 """The commands that draw a picture; the last one is given its name, unless it has one."""
+REPORT: Final = "6305_life.toml"
+"""The case of the report of which two pages are shown."""
+_PAGES: Final = (0, 3)
+_GAP: Final = 12
 
 
 def main(names: Sequence[str]) -> int:
     """Draw the pictures whose names end so, or all; 1 if one fails."""
     failed = 0
-    for name, lines in PICTURES.items():
+    for name, lines in {**PICTURES, "report": ()}.items():
         if names and not any(name.rpartition("/")[2] == one for one in names):
             continue
         with tempfile.TemporaryDirectory() as place, contextlib.chdir(place):
             try:
-                drawn = run(lines)
+                drawn = run(lines) if lines else report()
                 keep_picture(drawn, TARGET / f"{name}.png")
             except Exception as error:  # the others are drawn all the same
                 print(f"{name}: {type(error).__name__}: {error}", flush=True)
@@ -139,6 +147,20 @@ def run(lines: Sequence[str]) -> Path:
     if not drawn.is_file():
         raise RuntimeError(f"nothing is drawn: {lines[-1]}\n{printed}")
     return drawn
+
+
+def report() -> Path:
+    """Return two pages of a report, beside each other."""
+    copy_examples("all")
+    asked = ReportRequest(case=[REPORT], project="Gearbox 4711", author="A. Souza", revision="B")
+    made = set_by_typst(asked.page(asked.run()), format="png", ppi=72)
+    pages = [Image.open(BytesIO(made[place])).convert("RGB") for place in _PAGES]
+    width, height = pages[0].size
+    both = Image.new("RGB", (2 * width + _GAP, height), "#a0a0a0")
+    for place, page in enumerate(pages):
+        both.paste(page, (place * (width + _GAP), 0))
+    both.save("picture.png")
+    return Path("picture.png")
 
 
 def _page(name: str) -> str:

@@ -51,7 +51,7 @@ def _every_picture_concludes() -> Iterator[None]:
     """Fail a test that draws a chart without a line of what it says, with its numbers."""
     from rolamento.charts import Chart
 
-    text = Chart.alternative.fget
+    text = Chart.shows.fget
 
     def checked(chart: Chart) -> str:
         known = any(np.isfinite(one.y).any() for one in chart.lines)
@@ -60,7 +60,7 @@ def _every_picture_concludes() -> Iterator[None]:
         return text(chart)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Chart, "alternative", property(checked))
+        patch.setattr(Chart, "shows", property(checked))
         yield
 
 

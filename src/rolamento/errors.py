@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final, Self
 
 from rolamento.words import Note, languages, marked, said, speaking
-from rolamento.words.naming import shortened
+from rolamento.words.naming import either, shortened
 
 __all__ = [
     "FileError",
@@ -29,9 +29,11 @@ __all__ = [
     "RolamentoError",
     "UnitError",
     "UnknownKeyError",
+    "alike",
     "arguments",
     "cause",
     "guess",
+    "kind_of",
     "nearest",
     "phrase",
     "printable",
@@ -41,6 +43,9 @@ __all__ = [
 ]
 
 _LONGEST_VALUE: Final = 60
+_MOST_LISTED: Final = 40
+_MOST_ALIKE: Final = 3
+_NEAREST: Final = 5
 _ACTING: Final = "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
 
 
@@ -220,7 +225,8 @@ class InputError(RolamentoError, ValueError):
         field = shortened(_escaped(named), 2 * _LONGEST_VALUE)
         if self.value is ABSENT:
             return field
-        return f"{field} = {shown(self.value)}" if field else shown(self.value)
+        between = ": " if field.startswith("--") else " = "  # an option, or a field of a case
+        return f"{field}{between}{shown(self.value)}" if field else shown(self.value)
 
     def with_details(
         self,
@@ -290,8 +296,16 @@ def refusal(attempt: Callable[[], object]) -> Note | None:
     return Note("invalid_input", {"field": field, "rule": rules})
 
 
+def kind_of(value: object) -> object:
+    """Return what an error shows of a value of a wrong kind: a plain one itself, else its type."""
+    plain = value is None or isinstance(value, str | int | float | list | tuple | dict)
+    return value if plain else type(value)
+
+
 def shown(value: object) -> str:
     """Return a value as one short line of printable text, whatever the value is."""
+    if isinstance(value, type):
+        return said("an object of type {name}", name=value.__name__)
     if isinstance(value, dict):
         return said("a table")
     if isinstance(value, list | tuple | set):
@@ -314,21 +328,43 @@ def printable(text: str) -> str:
     return re.sub(_ACTING, lambda found: found[0].encode("unicode_escape").decode(), text)
 
 
-def nearest(word: str, known: Iterable[str]) -> str:
-    """Return the known word most like `word`, or an empty string if none is near."""
+def alike(word: str, known: Iterable[str]) -> tuple[str, ...]:
+    """Return the known words most like `word`, all that are equally so; none if none is near."""
     by_folded = {candidate.casefold(): candidate for candidate in known}
     # A bounded word: the matching is quadratic in its length.
-    found = difflib.get_close_matches(word[:_LONGEST_VALUE].casefold(), by_folded, n=1, cutoff=0.6)
-    return by_folded[found[0]] if found else ""
+    folded = word[:_LONGEST_VALUE].casefold()
+    found = difflib.get_close_matches(folded, by_folded, n=_MOST_ALIKE, cutoff=0.6)
+    ratios = {one: difflib.SequenceMatcher(None, one, folded).ratio() for one in found}
+    best = max(ratios.values(), default=0.0)
+    return tuple(name for one, name in by_folded.items() if ratios.get(one) == best)
 
 
-def guess(word: str, known: Iterable[str]) -> str:
-    """Return what to say of a word that is not known: the known one most like it, or all."""
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return the known word most like `word`, or an empty string if none is near."""
+    return next(iter(alike(word, known)), "")
+
+
+def guess(word: str, known: Iterable[str], where: str = "") -> str:
+    """Return what to say of a word that is not known.
+
+    Parameters
+    ----------
+    word, known
+        It names those that are most like it; without any all, or of many the nearest.
+    where
+        What is said of where the list of many stands; by default how many they are.
+    """
     known = tuple(known)
-    near = nearest(word, known)
+    near = alike(word, known)
     if near:
-        return said("did you mean {near}?", near=near)
-    return said("known: {known}", known=", ".join(known))
+        return said("did you mean {near}?", near=either(near))
+    if len(known) <= _MOST_LISTED:
+        return said("known: {known}", known=", ".join(known))
+    like = difflib.get_close_matches(word[:_LONGEST_VALUE], known, n=_NEAREST, cutoff=0.0)
+    few = ", ".join(one for one in known if one in like)
+    if where:
+        return said("nearest: {few}; {where}", few=few, where=where)
+    return said("nearest: {few}, of {count}", few=few, count=len(known))
 
 
 def cause(error: OSError) -> str:

@@ -18,7 +18,7 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 from rolamento.errors import UnitError, nearest, shown
-from rolamento.words import manner, marked, said
+from rolamento.words import Written, manner, marked, said
 
 if TYPE_CHECKING:
     import pint
@@ -379,7 +379,7 @@ def from_si(value: float, dimension: Dimension) -> str:
     return text if _reads_as(text, dimension, value) else f"{value!r} {SI_UNIT[dimension]}"
 
 
-def readable(value: float, dimension: Dimension, digits: int = 6) -> str:
+def readable(value: float, dimension: Dimension, digits: int = 6) -> Written:
     """Write an SI value in the unit that people use, with as many digits as they read.
 
     A value that a person gave comes out as it was given; a computed one is rounded.
@@ -389,10 +389,10 @@ def readable(value: float, dimension: Dimension, digits: int = 6) -> str:
     number = float((Fraction(value) - unit.offset) / unit.scale) if math.isfinite(value) else value
     text = f"{number:.12g}"
     if len(text) <= 2 * digits:
-        return f"{text} {unit_text}"
+        return Written(f"{text} {unit_text}")
     if dimension == "length" and abs(value) < _SMALL_LENGTH:
-        return f"{value / MICROMETRE:.{digits}g} µm"
-    return f"{number:.{digits}g} {unit_text}"
+        return Written(f"{value / MICROMETRE:.{digits}g} µm")
+    return Written(f"{number:.{digits}g} {unit_text}")
 
 
 def _reads_as(text: str, dimension: Dimension, value: float) -> bool:

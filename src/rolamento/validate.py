@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import ABSENT, InputError
+from rolamento.errors import ABSENT, InputError, kind_of
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
 from rolamento.words import marked, said
@@ -53,7 +53,7 @@ def numbers(value: ArrayLike | None, field: str, example: str = "") -> FloatArra
     raise InputError(
         said("must be a number or an array of numbers"),
         field=field,
-        value=value if value is None or isinstance(value, str | bool) else type(value).__name__,
+        value=kind_of(value),
         example=example or f"{field} = 1.0",
     )
 

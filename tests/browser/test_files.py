@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from matplotlib.image import imread
 from typer.testing import CliRunner
 
 from rolamento.cli.app import app
@@ -57,3 +60,20 @@ def test_a_file_that_is_no_record_is_told(visit: Any, tmp_path: Path) -> None:
     page.locator("#signal .error").filter(has_text="noise.wav").or_(
         page.locator("#signal .error").filter(has_text="WAV")
     ).first.wait_for()
+
+
+def test_colours_that_are_numbers_stay_in_the_dark(visit: Any) -> None:
+    seen = {}
+    for scheme in ("light", "dark"):
+        page = visit("#signal", scheme=scheme)
+        page.locator("#signal .drop-examples button").first.click()
+        picture = page.locator('#signal .drop-result img[alt^="Kurtogram"]')
+        picture.scroll_into_view_if_needed()
+        shown = imread(BytesIO(picture.screenshot()))[..., :3]
+        height, width = shown.shape[:2]
+        paper = shown[2:6, -6:-2].mean()
+        field = shown[int(0.2 * height) : int(0.8 * height), int(0.2 * width) : int(0.7 * width)]
+        seen[scheme] = paper, field.mean(axis=(0, 1))
+    assert seen["light"][0] > 0.9
+    assert seen["dark"][0] < 0.2  # its paper is that of the page
+    assert np.abs(seen["dark"][1] - seen["light"][1]).max() < 0.15

@@ -165,7 +165,7 @@ def test_a_rows_own_angle_takes_the_place_of_the_sets_clearance() -> None:
         (
             {"preload": {"level": "light", "designation": "S 6012 C"}},
             "preload.designation",
-            "15 deg only",
+            "15° only",
         ),
         ({"preload": {"level": "huge", "designation": "x"}}, "preload.level", "light"),
         ({"preload": {"forse": 1.0}}, "preload.forse", "did you mean force"),
@@ -188,7 +188,7 @@ def test_impossible_sets_are_refused(changes: dict[str, Any], field: str, messag
         ({"position": 0.0, "ball_diameter": "2 m"}, "rows.1.ball_diameter", "at most 1 m"),
         ({"position": 0.0, "pitch_diameter": "20 mm"}, "rows.1.pitch_diameter", "greater than"),
         ({"position": 0.0, "angle": 0.3}, "rows.1.angle", "contact_angle"),
-        ({"position": 0.0, "phase": "400 deg"}, "rows.1.phase", "at most 360 deg"),
+        ({"position": 0.0, "phase": "400 deg"}, "rows.1.phase", "at most 360°"),
     ],
 )
 def test_a_wrong_row_is_named_by_its_number(row: dict[str, Any], field: str, message: str) -> None:

@@ -125,7 +125,7 @@ def test_what_does_not_go_together_is_refused(values: dict[str, Any], message: s
         ("duty.load.f", "duty.load.f"),
         ("bearing.ball_count", "one of|bearing.ball"),
         ("bearing.preload.level", "bearing.preload"),
-        ("", "known: |did you mean"),
+        ("", "nearest: |did you mean"),
     ],
 )
 def test_an_unknown_field_is_refused_with_the_nearest(name: str, near: str) -> None:

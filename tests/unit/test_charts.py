@@ -193,9 +193,8 @@ def test_pictures_are_plain_json_and_say_what_they_say() -> None:
     found = picture(EVERY)
     assert json.loads(json.dumps(found, allow_nan=False)) == found
     assert found["summary"] == "The load rises to 4 N."
-    assert EVERY.alternative == "Load over speed. The load rises to 4 N."
-    untitled = replace(EVERY, title="")
-    assert untitled.alternative == "Load (N) over Speed (rpm). The load rises to 4 N."
+    assert EVERY.shows == "Load over speed"
+    assert replace(EVERY, title="").shows == "Load (N) over Speed (rpm)"
 
 
 def test_panels_stand_beside_or_below_one_another() -> None:
@@ -254,10 +253,17 @@ def test_a_page_says_what_its_charts_say() -> None:
     figures = tuple(Figure(text, partial(draw, chart), "load") for text, chart in captions.items())
     own = Figure("Bearing", partial(draw, EVERY), "own", alternative="A bearing in section.")
     text = html(Document("Loads", (Section("", (*figures, own)),)))
-    said = EVERY.alternative
+    said = f"{EVERY.shows}. {EVERY.says}"
     lives = "Lives. Life, case A, highest: 1 h (first); Life, case B, highest: 3 h (second)"
     told = [said, f"All cases. {said}", lives, said, "A bearing in section."]
     assert re.findall('role="img" aria-label="([^"]*)"', text) == told
+    below = re.findall(r"<figcaption>(.*?)</figcaption>", text, re.S)
+    says = '<span class="says">The load rises to 4 N</span>'
+    assert below[:2] == [f"Load over speed.<br>\n{says}", f"All cases<br>\n{says}"]
+    assert below[3] == says
+    again = Figure("All: the load rises to 4 N.", partial(draw, EVERY), "again")
+    text = html(Document("Loads", (Section("", (again,)),)))
+    assert 'class="says"' not in text  # its caption says it
 
 
 def test_a_chart_without_a_conclusion_says_what_its_numbers_show() -> None:

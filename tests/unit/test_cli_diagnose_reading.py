@@ -101,9 +101,9 @@ def test_a_rate_too_low_for_the_races_is_refused(run: Run, language: str) -> Non
     code, out, error = run("a.npy", "--speed", "1500 rpm", "--rate", "100", "--lang", language)
     assert (code, out) == (2, "")
     told = {
-        "en": "--rate = 100.0: is too low: the races of the bearing are struck up to 135.6 times a "
+        "en": "--rate: 100.0: is too low: the races of the bearing are struck up to 135.6 times a "
         "second, which needs more than 271.1 Hz",
-        "pt": "--rate = 100.0: é baixa demais: as pistas do rolamento recebem até 135,6 impactos "
+        "pt": "--rate: 100.0: é baixa demais: as pistas do rolamento recebem até 135,6 impactos "
         "por segundo, o que exige mais de 271,1 Hz",
     }
     assert told[language] in error
@@ -159,7 +159,7 @@ def test_tracking_a_short_record_is_refused_before_it_is_read(
     monkeypatch.setattr("rolamento.vibration.reading.SignalFile.read", never)
     code, _, error = run("a.npy", "--speed", "600 rpm", "--rate", "12000", "--track")
     assert code == 2
-    assert "50 revolutions" in error
+    assert "50 rev" in error
     assert "must be at least 96 shaft revolutions at the nominal speed, 9.6 s" in error
 
 

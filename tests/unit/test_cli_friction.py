@@ -365,3 +365,23 @@ def test_the_commands_of_the_guide_run(run: Run, tmp_path: Path) -> None:
         assert (code, err) == (0, "")
     assert (tmp_path / "torque.png").exists()
     assert (tmp_path / "speed.png").exists()
+
+
+def test_what_is_missing_is_given_by_the_options_of_the_command(run: Run) -> None:
+    oil = "--lubricant 'ISO VG 68' --temperature '70 degC'"
+    for words, field, example in (
+        ((), "lubricant.friction_coefficient", oil),
+        (("--lubricant", "ISO VG 68"), "temperature.lubricant", "--temperature '70 degC'"),
+    ):
+        code, _, error = run("6305", "--fr", "1kN", *words)
+        assert code == 2
+        assert error.startswith(f"rolamento: {field}: is missing")
+        assert f"(example: {example})" in error
+
+
+def test_a_setting_takes_a_decimal_comma_as_every_option_does(run: Run) -> None:
+    texts = [
+        run("ricci_fleury.toml", "--set", f"bearing.inner_conformity={conformity}")[1]
+        for conformity in ("0,53", "0.53")
+    ]
+    assert texts[0] == texts[1] != run("ricci_fleury.toml")[1]

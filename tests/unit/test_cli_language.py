@@ -109,7 +109,9 @@ def test_what_is_wrong_with_a_command_line(arguments: tuple[str, ...], text: str
         ("duty.load=3", "é uma tabela; defina-a inteira ou um de seus campos: fx, fy, fz, my, mz"),
         ("bearing.ball_material=wood", "é um nome desconhecido (material); conhecidos: 100Cr6"),
         ("model.raceway_control=x", "deve ser um de: outer, inner, jones, none, friction"),
-        ("duty.load.fx=1e9 kN", "deve ser no mínimo -1e6 kN e no máximo 1e6 kN"),
+        ("duty.load.fx=1e9 kN", "deve ser no mínimo −1 000 000 kN e no máximo 1 000 000 kN"),
+        ("bearing.ball_diameter=140.5 mm", "deve ser maior que o diâmetro da esfera, 140,5 mm"),
+        ("bearing.inner_conformity=0.4", "deve ser no mínimo 0,501 e no máximo 1"),
     ],
 )
 def test_errors_of_a_case(setting: str, text: str) -> None:
@@ -161,3 +163,10 @@ def test_an_error_of_the_library_is_english_unless_another_is_spoken() -> None:
     with speaking("pt"), pytest.raises(rolamento.InputError) as caught:
         rolamento.Bearing(ball_count=2)
     assert "falta" in str(caught.value) or "no mínimo 3" in str(caught.value)
+
+
+def test_prose_has_decimal_commas() -> None:
+    """What is no code, no option and no number of a chapter is written as the language has it."""
+    help_of = flat(run("weibull", "--help", "--lang", "pt")[1])
+    assert "0,9 para L10; por padrão 0,9 e 0,5." in help_of
+    assert not re.search(r"como \d\.\d", help_of)

@@ -12,6 +12,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import openpyxl
 import pytest
 from hypothesis import given
@@ -19,6 +20,8 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 
 import rolamento
+from rolamento.charts import Axis, Chart, Field, Line, Look
+from rolamento.charts.drawing import draw
 from rolamento.document import (
     Bar,
     Bars,
@@ -281,6 +284,24 @@ def test_html_is_semantic(page: Page) -> None:
 
 def test_html_is_the_same_every_time() -> None:
     assert html(document()) == html(document())
+
+
+def test_a_map_of_colours_and_its_bar_are_left_as_they_are_in_the_dark() -> None:
+    """The names that the style speaks of are those that the picture has in the page."""
+    cells_ = Field(np.arange(3.0), np.arange(3.0), np.arange(4.0).reshape(2, 2), Axis("Load", "N"))
+    white = Line(np.arange(2.0), np.arange(2.0), "", Look("white"))
+    shown = Figure("A map", lambda: draw(Chart((cells_, white), Axis("x"), Axis("y"))))
+    page = html(Document("", (Section("", (shown,)),)))
+    (rule,) = re.findall(r"figure svg :is\(image, (.*?)\) \{ filter", page)
+    kinds = re.findall(r'\[id([*^]?)="([^"]+)"\]', rule)
+    named = re.findall(r'<g id="([^"]*)"', page)
+    kept = [
+        name
+        for name in named
+        if any(name.startswith(part) if how == "^" else part in name for how, part in kinds)
+    ]
+    assert len(kept) == 2, named  # the bar of colours, and what is white on them
+    assert "<image" in page  # the cells
 
 
 def test_html_names_pictures_beside_it() -> None:

@@ -36,13 +36,13 @@ def test_a_degree_of_freedom_is_not_given_twice(axis: str, load: str) -> None:
     ("fields", "message"),
     [
         ({"inner_speed": "10000 mm"}, "not a unit of angular speed"),
-        ({"inner_speed": "2e6 rpm"}, "must be at least -1e6 rpm and at most 1e6 rpm"),
+        ({"inner_speed": "2e6 rpm"}, "must be at least −1 000 000 rpm and at most 1 000 000 rpm"),
         ({"outer_speed": float("inf")}, "must be a finite number"),
-        ({"first_ball_azimuth": 7.0}, "at most 360 deg"),
+        ({"first_ball_azimuth": 7.0}, "at most 360°"),
         ({"load": 3}, "load = 3: must be a table"),
         ({"load": {"fw": 3.0}}, "known: fx, fy, fz, my, mz"),
-        ({"load": {"fx": 2e9}}, "at most 1e6 kN"),
-        ({"displacement": {"ry": 0.1}}, "at most 5 deg"),
+        ({"load": {"fx": 2e9}}, "at most 1 000 000 kN"),
+        ({"displacement": {"ry": 0.1}}, "at most 5°"),
         ({"displacement": {"x": True}}, "must be a number"),
     ],
 )

@@ -38,7 +38,7 @@ def test_what_is_told_of_a_field() -> None:
     assert (load.unit, load.shown_unit, load.example) == ("N", "kN", '"15 kN"')
     assert (load.label, load.long_name) == ("radial load Fz", "radial load Fz")
     assert load.rivals == ("duty.displacement.z",)
-    assert load.limits == "at least -1e6 kN and at most 1e6 kN"
+    assert load.limits == "at least −1 000 000 kN and at most 1 000 000 kN"
     assert load.varies
     assert load.meaning == "Forces, in N."
     balls = FIELDS["bearing.ball_count"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from rolamento import Bearing, Duty, override, parse_case, solve
@@ -71,6 +73,25 @@ def test_records_studies_and_batches_tell_too() -> None:
         read_field("bearing.contact_angel")
     with pytest.raises(InputError, match=r"did you mean duty\.load\.fz\?"):
         solve("6310", radial_load=[1.0])
+
+
+def test_of_many_the_nearest_are_named_and_where_the_others_stand() -> None:
+    with pytest.raises(InputError) as caught:
+        solve("6310", fq=[1.0])  # type: ignore[call-arg]
+    text = str(caught.value)
+    assert "nearest: fx, fy, fz," in text
+    assert "rolamento sweep --list fields lists them all" in text
+    assert len(text) < 200
+    with pytest.raises(InputError, match=r"did you mean inner_speed or outer_speed\?"):
+        solve("6310", speed=[1.0])  # type: ignore[call-arg]
+
+
+@pytest.mark.parametrize(
+    ("given", "told"), [(None, "None"), (3, "3"), ([], "a list"), (object(), "an object of type")]
+)
+def test_what_is_no_case_is_shown_as_it_is(given: Any, told: str) -> None:
+    with pytest.raises(InputError, match=rf"^case = {told}.*: must be a Case, a bearing.*6310/C3"):
+        solve(given)
 
 
 def test_the_words_are_for_fields_and_each_for_one() -> None:

@@ -342,7 +342,7 @@ def test_over_a_field_where_some_points_have_no_result(run: Run) -> None:
         (("mounting.bore=30 mm",), "must be 25 mm, the value of 6305/C3"),
         (("mounting.shaft_interference=0.9 mm",), "closes the bearing"),
         (("mounting.shaft_tolerance=zz9",), "must be one of"),
-        (("temperature.lubricant=500 degC",), "at most 400 degC"),
+        (("temperature.lubricant=500 degC",), "at most 400 °C"),
     ],
 )  # fmt: skip
 def test_wrong_values(run: Run, settings: tuple[str, ...], said: str) -> None:

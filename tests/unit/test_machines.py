@@ -10,7 +10,8 @@ from scipy.optimize import root
 
 import rolamento as ro
 from rolamento.case.lubricant import Lubricant
-from rolamento.case.machine import Machine
+from rolamento.case.machine import Housing, Machine
+from rolamento.errors import InputError
 from rolamento.machines import shaft
 from rolamento.numerics import FloatArray
 from rolamento.solution import solve
@@ -348,3 +349,12 @@ def test_friction_control_is_refused_by_the_field_that_asks_for_it(own: dict[str
     with pytest.raises(ro.InputError, match="for a bearing alone") as error:
         shaft(machine)
     assert error.value.field == f"bearings.0.model.{'traction' if own else 'raceway_control'}"
+
+
+def test_a_housing_takes_numbers_of_numpy_as_any_field_does() -> None:
+    plain = Housing(name="h", stiffness=[1e8, 2e8, 3e8])
+    held = Housing(name="h", stiffness=list(np.array([1, 2, 3], np.float32) * 1e8))
+    assert held.stiffness == plain.stiffness
+    for wrong, rule in ((True, "must be a number"), (np.nan, "must be a finite number")):
+        with pytest.raises(InputError, match=rule):
+            Housing(name="h", stiffness=[1e8, 1e8, wrong])

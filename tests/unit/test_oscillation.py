@@ -233,7 +233,7 @@ def test_a_step_that_frets_has_no_life(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("share,duty.oscillation.angle\n1,-3 deg\n", "greater than 0 deg"),
+        ("share,duty.oscillation.angle\n1,-3 deg\n", "greater than 0°"),
         ("share,duty.oscillation.angle\n1,3 mm\n", "angle"),
         ("share,duty.load.fz\n1,5 kN\n", "how far"),
     ],

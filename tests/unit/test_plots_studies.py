@@ -216,7 +216,7 @@ def test_one_case_is_no_figure() -> None:
 
 
 def test_lines_of_samples_alone_are_refused() -> None:
-    with pytest.raises(InputError, match="histogram or scatter"):
+    with pytest.raises(InputError, match=r"samples alone .example: histogram"):
         study_lines(scatter())
 
 

@@ -41,9 +41,9 @@ def test_a_preload_is_found(designation: str, level: Any, angle: float, force: f
         ("S 6012 D", 15.0, "in no maker's list of preloads; did you mean S 6012 [CE]"),
         ("7014", 15.0, "in no maker's list"),
         ("", 15.0, "give the preload as a force"),
-        ("S 6012 C", 25.0, "listed for contact angles of 15 deg only"),
-        ("SEA 10", 40.0, "15 deg, 25 deg only"),
-        ("SEA 10", None, "15 deg, 25 deg only"),
+        ("S 6012 C", 25.0, "listed for contact angles of 15° only"),
+        ("SEA 10", 40.0, "15°, 25° only"),
+        ("SEA 10", None, "15°, 25° only"),
     ],
 )
 def test_what_is_not_listed_is_refused(

@@ -57,7 +57,7 @@ def test_the_reference_has_every_field_note_and_command() -> None:
     fields, notes, commands = (reference.made(part) for part in ("fields", "notes", "commands"))
     assert all(f"`{name.rpartition('.')[2]}`" in fields for name in Case.fields())
     assert "`[duty.load]`" in fields
-    assert "at least -1e6 kN and at most 1e6 kN" in fields
+    assert "at least −1 000 000 kN and at most 1 000 000 kN" in fields
     assert all(f"| `{key}` |" in notes for key in sentences())
     shown = set(re.findall(r"^#+ `rolamento ([\w -]+)`$", commands, re.MULTILINE))
     assert shown >= set(get_command(app).commands)  # type: ignore[attr-defined]

@@ -71,6 +71,13 @@ def test_all_tables_go_with_the_index(four: Solved, index: Any) -> None:
     np.testing.assert_array_equal(part.varied["duty.load.fz"], four.varied["duty.load.fz"][chosen])
 
 
+def test_a_name_is_no_case(four: Solved) -> None:
+    with pytest.raises(
+        InputError, match=r'^solved = "fz": must be the number of a case.*\.field\('
+    ):
+        four["fz"]  # type: ignore[index]
+
+
 def test_a_case_that_is_not_there(four: Solved) -> None:
     with pytest.raises(IndexError, match="case 4 of 4"):
         four[4]

@@ -232,7 +232,7 @@ def test_find_bearings() -> None:
     assert "6205" in [one.designation for one in ro.find_bearings("25x52x15")]
     assert len(ro.find_bearings("62", 3)) == 3
     (one,) = ro.find_bearings("NU 210 EW", 1)
-    assert repr(one) == "<NSK NU 210 EW, cylindrical, 50 x 90 x 20 mm, C 69 kN, C0 76.5 kN>"
+    assert repr(one) == "<NSK NU 210 EW, cylindrical, 50 x 90 x 20 mm, C 69 kN, C_0 76.5 kN>"
     with pytest.raises(ro.InputError, match="must be text"):
         ro.find_bearings(6205)  # type: ignore[arg-type]
 

@@ -13,7 +13,9 @@ import anyio
 import httpx
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
+from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.tasks import (
     DemonstrationTest,
@@ -383,3 +385,23 @@ def test_a_worker_does_the_same(record: bytes, tmp_path: Path) -> None:
             await limits.slow(drops.life_test_page, str(path), "x.csv", {}, "")
 
     anyio.run(refused)
+
+
+def test_no_face_speaks_of_another() -> None:
+    """A command repeats an option; a page takes several values in one field."""
+    forms = drops.described()
+    options = [
+        one
+        for form in ("signal", "weibull", "plan")
+        for group in forms[form]
+        for one in group["options"]
+    ]
+    meanings = {one["name"]: one["meaning"] for one in options}
+    assert not [text for text in meanings.values() if "epeat" in text or "--" in text]
+    assert meanings["reliabilities"].endswith("Separate several with semicolons.")
+    assert "everal with" not in meanings["confidence"]
+    help_of = CliRunner().invoke(app, ["weibull", "--help"]).output
+    assert "Separate several" not in help_of
+    assert help_of.count("Repeatable.") == sum(
+        one.is_many and not one.is_argument for one in LifeTestEvaluation.inputs().values()
+    )

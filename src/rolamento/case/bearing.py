@@ -379,7 +379,7 @@ class Bearing(RollingBearing):
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="diametral_clearance",
                 value=readable(clearance, "length"),
-                example='diametral_clearance = "0.015 mm" without contact_angle',
+                example='diametral_clearance = "0.015 mm"',
             )
 
     def _check_sphere(self) -> None:
@@ -408,7 +408,7 @@ class Bearing(RollingBearing):
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="spacing",
                 value=readable(self.spacing, "length"),
-                example='contact_angle = "10 deg" without spacing',
+                example='contact_angle = "10 deg"',
             )
 
     @property

@@ -29,7 +29,7 @@ from rolamento.case.rolling_bearing import RollingBearing, element_named
 from rolamento.case.static import Static
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import FileError, InputError, nearest
+from rolamento.errors import FileError, InputError, kind_of, nearest
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -263,13 +263,13 @@ class Case(Record):
             raise InputError(
                 said("is not available for bearings of kind {kind}", kind=bearing.kind),
                 field="mounting",
-                example="[bearing] with diametral_clearance or contact_angle as it runs",
+                example='[bearing] diametral_clearance = "0.01 mm"',
             )
         if resolved is not None and resolved.is_on_a_taper:
             raise InputError(
                 said("is not available for a tapered bore: its fit is how far the ring is driven"),
                 field="mounting",
-                example="[bearing] with diametral_clearance as it runs",
+                example='[bearing] diametral_clearance = "0.01 mm"',
             )
         for field in () if bearing.is_set else _OF_SPACERS:
             table, _, name = field.partition(".")
@@ -341,7 +341,7 @@ class Case(Record):
             raise InputError(
                 said('is missing; raceway_control = "friction" needs it'),
                 field="lubricant.friction_coefficient",
-                example='[lubricant] with kind = "dry" and friction_coefficient = 0.1',
+                example='[lubricant] kind = "dry", friction_coefficient = 0.1',
             )
         if film and (lubricant.kind == "dry" or self.lubricant_temperature is None):
             raise InputError(
@@ -349,7 +349,7 @@ class Case(Record):
                     "needs an oil or a grease in [lubricant] and its temperature in [temperature]"
                 ),
                 field=film,
-                example='lubricant = "60 degC" in [temperature]',
+                example='[temperature] lubricant = "60 degC"',
             )
         return self
 
@@ -431,7 +431,7 @@ def case_of(source: BearingLike, changes: Changes = ()) -> Case:
         raise InputError(
             said("must be a Case, a bearing, a designation or the path of a case file"),
             field="case",
-            value=type(source).__name__,
+            value=kind_of(source),
             example='"6310/C3"',
         )
     return override(source, changes) if changes else source

@@ -164,7 +164,7 @@ class Duty(Record):
                     ),
                     field=f"displacement.{axis}",
                     value=readable(shift, "length" if len(axis) == 1 else "angle"),
-                    example=f"{axis} without load.{name}",
+                    example=f'{axis} = "{"10 um" if len(axis) == 1 else "0.05 deg"}"',
                 )
         for name in ("inner_speed", "outer_speed") if self.oscillation is not None else ():
             speed = getattr(self, name)
@@ -173,7 +173,7 @@ class Duty(Record):
                     said("cannot be combined with an oscillation: the ring turns or it swings"),
                     field=name,
                     value=readable(speed, "angular_speed"),
-                    example="[duty.oscillation] without inner_speed and outer_speed",
+                    example='[duty.oscillation] angle = "20 deg", frequency = "2 Hz"',
                 )
         return self
 

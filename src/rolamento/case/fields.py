@@ -7,6 +7,7 @@ what it takes the place of; what readers call it stands in `labels`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from copy import copy
 from functools import cache, cached_property, lru_cache
@@ -66,6 +67,7 @@ R = TypeVar("R", bound=Record)
 Kind = Literal["number", "count", "switch", "text", "list"]
 
 _EXAMPLE: Final = 'duty.load.fz="10 kN"'
+_COMMA: Final = re.compile(r"[+-]?\d*,\d+")
 _INLINE_EXAMPLE: Final = """'bearing.preload={ force = "500 N" }'"""
 LONGEST_SETTING: Final = 2000
 
@@ -552,6 +554,8 @@ def inline_value(name: str, text: str, example: str) -> object:
 def _value(text: str, field: Field) -> object:
     """Return the value that a setting's text stands for, as a file would have held it."""
     unquoted = _unquoted(text)
+    if field.kind == "number" and unquoted is None and _COMMA.fullmatch(text):
+        text = text.replace(",", ".")  # a decimal comma, as every other option takes it
     return text if unquoted is None and field.kind == "text" else plain_value(text)
 
 

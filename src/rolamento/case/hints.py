@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import Final
 
-from rolamento.errors import guess, nearest
-from rolamento.words import said
+from rolamento.errors import alike, guess
+from rolamento.words import marked, said
 
-__all__ = ["ALIASES", "hint", "meant"]
+__all__ = ["ALIASES", "LISTED", "hint"]
 
 ALIASES: Final = {
     "duty.inner_speed": (
@@ -71,11 +71,16 @@ ALIASES: Final = {
 }
 """Words that people use, by the dotted name of the field."""
 
+LISTED: Final = marked("rolamento sweep --list fields lists them all")
+"""Where the list of fields that vary stands."""
 _BY_WORD: Final = {word: name for name, words in ALIASES.items() for word in words}
 
 
-def hint(name: str, known: Collection[str], here: Iterable[str]) -> str:
+def hint(name: str, known: Collection[str], here: Iterable[str], where: str = "") -> str:
     """Return what to say of a field that nobody knows, as the end of a sentence.
+
+    Before the ones that are spelt most like it come fields of the same table, behind them those of
+    others.
 
     Parameters
     ----------
@@ -84,29 +89,18 @@ def hint(name: str, known: Collection[str], here: Iterable[str]) -> str:
     known
         The dotted names of all fields.
     here
-        What the table of the name does hold.
+        What the table of the name does hold; or all names.
+    where
+        Where the list of many stands, as of `rolamento.errors.guess`.
     """
     here = tuple(here)
     table, _, leaf = name.rpartition(".")
-    near = meant(name, known, nearest(leaf, here))
-    if not near:
-        return guess(leaf, here)
-    inside = near.removeprefix(f"{table}.")
-    return said("did you mean {near}?", near=inside if inside in here else near)
-
-
-def meant(name: str, known: Collection[str], alike: str = "") -> str:
-    """Return the field that a name may stand for; empty if none does.
-
-    Parameters
-    ----------
-    name, known
-        As in `hint`.
-    alike
-        The one that is spelt most like it: before it come fields of the same table, behind it those
-        of others.
-    """
-    return _in_table(name, known) or alike or _elsewhere(name, known)
+    word = name if any("." in one for one in here) else leaf
+    meant = _in_table(name, known) or ("" if alike(word, here) else _elsewhere(name, known))
+    if not meant:
+        return guess(word, here, where)
+    inside = meant.removeprefix(f"{table}.")
+    return said("did you mean {near}?", near=inside if inside in here else meant)
 
 
 def _in_table(name: str, known: Collection[str]) -> str:

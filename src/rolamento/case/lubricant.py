@@ -265,7 +265,7 @@ class Lubricant(NamedRecord):
             raise InputError(
                 said("needs one of {ways}, and has {also}", ways=", ".join(_WAYS), also=also),
                 field="viscosity_40",
-                example='viscosity_40 = "68 mm^2/s" and viscosity_100 = "8.6 mm^2/s"',
+                example='viscosity_40 = "68 mm^2/s", viscosity_100 = "8.6 mm^2/s"',
             )
         hot = [
             name for name in ("viscosity_100", "viscosity_index") if getattr(self, name) is not None
@@ -283,7 +283,7 @@ class Lubricant(NamedRecord):
             raise InputError(
                 rule,
                 field=hot[0] if hot else "viscosity_100",
-                example='viscosity_40 = "68 mm^2/s" and viscosity_100 = "8.6 mm^2/s"',
+                example='viscosity_40 = "68 mm^2/s", viscosity_100 = "8.6 mm^2/s"',
             )
         if self.base_oil is not None:
             self._check_base(self.base_oil)
@@ -330,7 +330,7 @@ class Lubricant(NamedRecord):
                 ),
                 field="viscosities" if self.viscosities is not None else "viscosity_100",
                 value=readable(hot.viscosity, "kinematic_viscosity"),
-                example='viscosity_40 = "68 mm^2/s" and viscosity_100 = "8.6 mm^2/s"',
+                example='viscosity_40 = "68 mm^2/s", viscosity_100 = "8.6 mm^2/s"',
             )
 
     def _check_density(self) -> None:

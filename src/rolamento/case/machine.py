@@ -58,7 +58,6 @@ from rolamento.case.machine_files import (
     MOST_SECTIONS,
     MOST_UNKNOWNS,
     lines_of_machine,
-    numbers_of,
     with_files,
 )
 from rolamento.case.machine_loads import (
@@ -76,12 +75,12 @@ from rolamento.case.machine_loads import (
 from rolamento.case.machine_sheets import holds_sheets, read_sheets
 from rolamento.case.material import Material
 from rolamento.case.model import Model
-from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Replaces
+from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Replaces, finite_number
 from rolamento.case.record import Record
 from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import ABSENT, InputError, guess
+from rolamento.errors import ABSENT, InputError, guess, kind_of
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -287,7 +286,7 @@ class Shaft(Record):
                 raise InputError(
                     said("is missing; {beside} needs it", beside=beside),
                     field=missing,
-                    example='ratio = -0.4 and of = "input shaft"',
+                    example='ratio = -0.4, of = "input shaft"',
                 )
         if self.ratio is not None and self.speed != 0.0:
             raise InputError(
@@ -383,8 +382,7 @@ def _stiffness(value: Any, units: Units | None, *, in_file: bool) -> Numbers | R
             number = to_si(entry, "angular_stiffness" if tilts else "stiffness")
         else:
             _check_units(units, in_file=in_file)
-            (number,) = numbers_of([entry])
-            number *= _SCALES[units or "N/m"][2 if tilts else 0]
+            number = finite_number(entry) * _SCALES[units or "N/m"][2 if tilts else 0]
         if number < 0.0 or not math.isfinite(number):
             raise InputError(said("must be at least {at_least}", at_least="0"), value=entry,
                              example=_EXAMPLE)  # fmt: skip
@@ -417,7 +415,7 @@ def _matrix(value: Any, units: Units | None, size: int, *, in_file: bool) -> Row
             said("must be a matrix of {size} rows and columns", size=size), value=value
         )
     _check_units(units, in_file=in_file)
-    matrix = np.array([numbers_of(row) for row in value])
+    matrix = np.array([[finite_number(one) for one in row] for row in value])
     shift, mixed, tilt = _SCALES[units or "N/m"]
     tilts = np.arange(size) % _DEGREES_OF_FREEDOM > 2
     both = tilts[:, None].astype(int) + tilts
@@ -635,7 +633,7 @@ class Spring(Record):
                 raise InputError(
                     said("is missing; {beside} needs it", beside=beside),
                     field=missing,
-                    example='to_shaft = "other shaft" and to_position = "0 mm"',
+                    example='to_shaft = "other shaft", to_position = "0 mm"',
                 )
         return self
 
@@ -883,7 +881,7 @@ def _tables_of_case(case: Any, *, in_file: bool) -> dict[str, Any]:
     raise InputError(
         said("must be the name of a case file; in Python a Case"),
         field="case",
-        value=case if isinstance(case, str | int | float) else type(case).__name__,
+        value=kind_of(case),
         example='case = "6308.toml"',
     )
 
@@ -1622,7 +1620,7 @@ def _check_bearing(machine: Machine, bearing: MachineBearing, field: str) -> Non
             raise InputError(
                 said("is for single rows; a set takes its preload from its bearing table"),
                 field=f"{field}.{name}",
-                example='[bearings.bearing] with preload = "500 N"',
+                example='[bearings.bearing] preload = "500 N"',
             )
         if not case.bearing.locates:
             raise InputError(

@@ -12,10 +12,11 @@ import math
 import os
 import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any, Final, NoReturn
 
 from rolamento.case.housing_nodes import MOST_ROWS, nodes_in_file, reduced_to_rings
+from rolamento.case.quantity import finite_number
 from rolamento.errors import ABSENT, FileError, InputError, guess
 from rolamento.io.tables import decoded, read_columns, separator_said
 from rolamento.io.text import (
@@ -36,7 +37,6 @@ __all__ = [
     "MOST_SECTIONS",
     "MOST_UNKNOWNS",
     "lines_of_machine",
-    "numbers_of",
     "with_files",
 ]
 
@@ -110,7 +110,7 @@ def _between_rings(
             raise InputError(
                 said("is missing; {beside} needs it", beside=beside),
                 field=f"{field}.{missing}",
-                example='matrix = "housing.mtx" and nodes = "nodes.csv"',
+                example='matrix = "housing.mtx", nodes = "nodes.csv"',
             )
     if others is not None:
         one_of(others, f"{field}.others", ("free", "held"), 'others = "free"')
@@ -141,7 +141,7 @@ def _numbers(matrix: Any) -> list[list[float]]:
         raise InputError(
             said("must be a matrix of {size} rows and columns", size=len(matrix)), field="matrix"
         )
-    return [list(numbers_of(row)) for row in matrix]
+    return [[finite_number(one) for one in row] for row in matrix]
 
 
 def _beside(name: str, folder: str | os.PathLike[str] | None, field: str) -> str:
@@ -349,25 +349,3 @@ def lines_of_machine(text: str, text_format: TextFormat) -> LineIndex:
         elif key := _KEY.match(line):
             index.setdefault((*table, *key[1].split(".")), number)
     return index
-
-
-def numbers_of(values: Sequence[Any]) -> tuple[float, ...]:
-    """Return real numbers as floats.
-
-    Raises
-    ------
-    InputError
-        If one is none, or not finite.
-    """
-    found = []
-    for value in values:
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise InputError(said("must be a number"), value=value)
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
-        if not math.isfinite(number):
-            raise InputError(said("must be a finite number"), value=value)
-        found.append(number)
-    return tuple(found)

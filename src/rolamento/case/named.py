@@ -13,7 +13,7 @@ from pydantic import (
 
 from rolamento.case.quantity import AT_THE_BORDER, Line
 from rolamento.case.record import Record
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, alike, guess
 from rolamento.io.data import toml_of
 from rolamento.words import marked, said
 
@@ -47,13 +47,8 @@ class NamedRecord(Record):
         table = _tables_by_name(cls).get(_folded(name))
         if table is not None:
             return _read(cls, table["name"])  # type: ignore[return-value]
-        near = nearest(name, cls.names(with_aliases=True))
-        known = {
-            "kind": said(cls.called),
-            "guess": said("did you mean {near}?", near=near)
-            if near
-            else said("known: {known}", known=", ".join(cls.names())),
-        }
+        near = alike(name, cls.names(with_aliases=True))
+        known = {"kind": said(cls.called), "guess": guess(name, near or cls.names())}
         raise InputError(
             said("is an unknown name ({kind}); {guess}", **known),
             value=name,

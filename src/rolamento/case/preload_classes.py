@@ -12,7 +12,7 @@ from typing import Final, Literal, cast, get_args
 from rolamento.errors import InputError, nearest
 from rolamento.io.data import toml_of
 from rolamento.units import to_si
-from rolamento.words import said
+from rolamento.words import Written, said
 
 __all__ = ["Level", "level_of_force", "listed_designations", "listed_preload"]
 
@@ -64,7 +64,7 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
                     example=f'level = "{known[0]}", or preload = "500 N"',
                 )
             return to_si(record[level], "force")
-    angles = ", ".join(f"{angle:g} deg" for angle in nominal)
+    angles = [Written(f"{angle:g} deg") for angle in nominal]
     raise InputError(
         said("is listed for contact angles of {angles} only", angles=angles),
         field="designation",

@@ -26,13 +26,13 @@ from pydantic_core import CoreSchema, core_schema
 from rolamento.errors import InputError, UnitError
 from rolamento.records import frozen
 from rolamento.units import SI_UNIT, Dimension, from_si, name_of, to_si
-from rolamento.words import marked, said
+from rolamento.words import Written, marked, said
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-__all__ = ["AT_THE_BORDER", "Count", "InSI", "Line", "Quantity", "Replaces"]
+__all__ = ["AT_THE_BORDER", "Count", "InSI", "Line", "Quantity", "Replaces", "finite_number"]
 
 AT_THE_BORDER: Final = {"border": True}
 """The context in which values cross between text and SI: a file is read or written."""
@@ -95,9 +95,11 @@ class Quantity:
     @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
-        texts = {relation: getattr(self, relation) for relation in self.limits_in_si}
-        if self.dimension is None:
-            texts = {relation: f"{limit:g}" for relation, limit in texts.items()}
+        limits = {relation: getattr(self, relation) for relation in self.limits_in_si}
+        texts = {
+            relation: Written(f"{limit:g}" if self.dimension is None else limit)
+            for relation, limit in limits.items()
+        }
         return said(_LIMITS[tuple(texts)], **texts) if texts else ""
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -136,24 +138,13 @@ class Quantity:
         """Return a value in SI units, with no negative zero, or name the rule that it breaks."""
         if isinstance(value, str) and self.dimension is not None:
             number = to_si(value, self.dimension)
-        elif isinstance(value, bool) or not isinstance(value, numbers.Real):
-            raise InputError(said("must be a number"), value=value)
-        elif (
-            self.dimension is not None
-            and info.context == AT_THE_BORDER
-            and not isinstance(value, InSI)
-        ):
-            rule = said(
-                "needs a unit of {dimension}, written as text", dimension=name_of(self.dimension)
-            )
-            raise UnitError(rule, value=value)
         else:
-            try:
-                number = float(value)
-            except OverflowError:
-                number = math.inf
-        if not math.isfinite(number):
-            raise InputError(said("must be a finite number"), value=value)
+            number = finite_number(value)
+            bare = info.context == AT_THE_BORDER and not isinstance(value, InSI)
+            if self.dimension is not None and bare:
+                name = name_of(self.dimension)
+                rule = said("needs a unit of {dimension}, written as text", dimension=name)
+                raise UnitError(rule, value=value)
         for relation, limit in self.limits_in_si.items():
             if not _RELATIONS[relation](number, limit):
                 raise InputError(said("must be {limits}", limits=self.limits), value=value)
@@ -178,6 +169,25 @@ class Replaces:
 
     def __init__(self, *names: str) -> None:
         self.names = names
+
+
+def finite_number(value: object) -> float:
+    """Return a real number, one of NumPy too, as a float.
+
+    Raises
+    ------
+    InputError
+        If it is none, or not finite.
+    """
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise InputError(said("must be a number"), value=value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise InputError(said("must be a finite number"), value=value)
+    return number
 
 
 def _whole_number(value: object) -> object:

@@ -157,7 +157,7 @@ def _cones_do_not(bearing: "RollerBearing") -> InputError:
         ),
         field="roller_half_angle",
         value=readable(bearing.roller_half_angle or 0.0, "angle"),
-        example='roller_half_angle = "2 deg" with contact_angle = "14 deg"',
+        example='roller_half_angle = "2 deg", contact_angle = "14 deg"',
     )
 
 

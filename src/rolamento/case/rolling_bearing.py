@@ -485,7 +485,7 @@ class RollingBearing(Record):
                 said("cannot be combined with rows listed one by one"),
                 field="arrangement",
                 value=self.arrangement,
-                example='arrangement = "DB" without rows',
+                example='arrangement = "DB"',
             )
         if self._set_by_kind:
             return
@@ -496,7 +496,7 @@ class RollingBearing(Record):
             raise InputError(
                 phrase(marked("is missing; {beside} needs it"), beside=beside),
                 field=missing,
-                example='arrangement = "DB" with spacing = "24 mm"',
+                example='arrangement = "DB", spacing = "24 mm"',
             )
         signs = {place.sign for place in self.places}
         if self.preload is not None and len(signs) < 2:

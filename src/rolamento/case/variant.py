@@ -104,13 +104,12 @@ def with_the_case(variants: Sequence[Variant]) -> tuple[Variant, ...]:
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise InputError(
-            said("occurs twice"), field="variant", value=twice, example=_EXAMPLE,
-            source=VARIANT_SOURCE,
+            said("occurs twice"), value=twice, example=_EXAMPLE, source=VARIANT_SOURCE
         )  # fmt: skip
     if len(found) > MOST_VARIANTS:
         raise InputError(
             said("may be given at most {most} times", most=MOST_VARIANTS),
-            field=VARIANT_SOURCE,
+            source=VARIANT_SOURCE,
             value=len(found),
         )
     return found

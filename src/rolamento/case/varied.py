@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.case.case import Case
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Field, field_of
-from rolamento.case.hints import meant
-from rolamento.errors import InputError, UnknownKeyError, guess, nearest
+from rolamento.case.hints import LISTED, hint
+from rolamento.errors import InputError, UnknownKeyError, kind_of
 from rolamento.numerics.masked import may_be_masked
 from rolamento.units import to_si
 from rolamento.words import said
@@ -92,11 +92,10 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
         name = SHORT_NAMES.get(key, key) if isinstance(key, str) else str(key)
         field = field_of(Case, name)
         if field is None or not field.varies:
-            known = (*SHORT_NAMES, *batch_fields())
-            near = meant(name, batch_fields(), nearest(name, known))
-            advice = said("did you mean {near}?", near=near) if near else guess(name, known)
+            known = batch_fields()
+            guess = hint(name, known, (*SHORT_NAMES, *known), said(LISTED))
             raise UnknownKeyError(
-                said("is not a field that can vary; {guess}", guess=advice),
+                said("is not a field that can vary; {guess}", guess=guess),
                 field=name,
                 example=_EXAMPLE,
             )
@@ -107,7 +106,7 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
             raise InputError(
                 said("cannot be combined with {before}", before=before),
                 field=name,
-                example=f"{name} without {before}",
+                example=_EXAMPLE,
             )
         arrays[name] = _numbers(field, value)
     shapes = {array.shape for array in arrays.values() if array.ndim}
@@ -140,7 +139,7 @@ def _columns(values: Any) -> list[tuple[Any, Any]]:
     raise InputError(
         said("must be values by field names, or a table whose columns are field names"),
         field="values",
-        value=type(values).__name__,
+        value=kind_of(values),
         example='{"duty.load.fx": [1e3, 2e3]}',
     )
 
@@ -166,9 +165,7 @@ def _copied(field: Field, value: Any) -> Floats:
             plain = plain.astype(object)
             plain[mask] = None
     elif hasattr(value, "magnitude") or hasattr(value, "to_value"):  # of pint, of astropy
-        raise _refused(
-            field, type(value).__name__, said("must be a plain number or text with its unit")
-        )
+        raise _refused(field, type(value), said("must be a plain number or text with its unit"))
     else:
         plain, mask = _array(field, value), None
     if plain.dtype.kind in "fiu":

@@ -122,7 +122,7 @@ class CatalogueBearing:
         sizes = (self.bore, self.outside_diameter, self.width)
         words = [f"{self.maker} {self.designation}".strip(), self.kind.replace("_", " ")]
         words.append(" x ".join(f"{1e3 * size:.6g}" for size in sizes if size is not None) + " mm")
-        for name, rating in (("C", self.dynamic_rating), ("C0", self.static_rating)):
+        for name, rating in (("C", self.dynamic_rating), ("C_0", self.static_rating)):
             if rating is not None:
                 words.append(f"{name} {rating / 1e3:.6g} kN")
         return f"<{', '.join(words)}>"

@@ -80,6 +80,8 @@ _SIDES: Final[dict[str, dict[str, Any]]] = {
 _SPARSE: Final = 0.18
 """Distance of marks along a line of a few, over the length of the frame."""
 _ROUND: Final = (1, 2, 2.5, 5, 10)
+_AS_IT_IS: Final = "colour-map"
+"""Pages in the dark leave what is called so as it is: a map of colours, and what is white on it."""
 _HATCH: Final[dict[str, Any]] = {
     "facecolor": "#E4E4E4", "edgecolor": "#A0A0A0", "hatch": "////", "linewidth": 0.0,
 }  # fmt: skip
@@ -132,7 +134,8 @@ def draw(
     if axes is None:
         axes = (new_polar_figure() if chart.polar else new_figure(height=height))[1]
     axes = _turned(axes) if chart.polar else require_axes(axes)
-    axes.set_label(chart.alternative)
+    shows = chart.shows.replace("\n", ", ")
+    axes.set_label(f"{shows}\n{chart.says}")  # of which pages make captions
     if not chart.series:
         return empty_frame(axes, chart.conclusion)
     draw_series(chart, axes)
@@ -183,6 +186,7 @@ def draw_series(chart: Chart, axes: Axes) -> None:
             axes.quiver(
                 one.x, one.y, one.across / size, one.along / size, color="white", scale=30.0,
                 width=0.004, edgecolor="#202020", linewidth=0.3, pivot="middle", zorder=4.0,
+                gid=f"{_AS_IT_IS}-white",
             )  # fmt: skip
     _bars(axes, chart, groups)
     for mark in chart.marks:
@@ -214,6 +218,8 @@ def _line(axes: Axes, chart: Chart, line: Line, place: int) -> None:
                              "linewidth": _WIDTH * look.width}  # fmt: skip
     if look.opacity < 1.0:
         drawn["alpha"] = look.opacity
+    if look.color == "white":
+        drawn["gid"] = f"{_AS_IT_IS}-white"
     if chart.y.categories:
         drawn["zorder"] = 3.0
     if point:
@@ -270,7 +276,7 @@ def _field(axes: Axes, own: Field) -> None:
         )  # fmt: skip
     else:
         drawn = axes.contourf(own.x, own.y, own.values, levels=levels, cmap=colours)
-    drawn.set_gid("colour-map")  # pages in the dark leave it as it is
+    drawn.set_gid(_AS_IT_IS)
     axes.grid(False)
     bar: Any = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers(), pad=0.02)
     bar.set_label(in_lines(own.scale.title), parse_math=False)

@@ -24,7 +24,7 @@ from matplotlib.ticker import (
 from rolamento.charts.palette import LIGHT
 from rolamento.charts.style import new_stacked_figure, styled
 from rolamento.charts.texts import marked_number, mathematical, numbers, shown_text
-from rolamento.errors import InputError
+from rolamento.errors import InputError, kind_of
 from rolamento.words import manner, said
 
 GREY: Final = LIGHT["grey"]
@@ -221,10 +221,8 @@ def require(given: object, kind: type, field: str, example: str) -> None:
         Naming what it has to be, and how that is made.
     """
     if not isinstance(given, kind):
-        name = type(given).__name__
-        raise InputError(
-            said("must be a {name}", name=kind.__name__), field=field, value=name, example=example
-        )
+        rule = said("must be a {name}", name=kind.__name__)
+        raise InputError(rule, field=field, value=kind_of(given), example=example)
 
 
 def require_axes(given: Axes) -> Axes:

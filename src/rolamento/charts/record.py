@@ -386,13 +386,12 @@ class Chart:
         return courses(drawn, self.x, self.y) or (said("No result") if drawn else "")
 
     @property
-    def alternative(self) -> str:
-        """What it shows, for those who cannot see it; without a title by its axes."""
+    def shows(self) -> str:
+        """What it shows: its title; without one by its axes."""
         up, across = self.y.title, self.x.title
-        shown = self.title
-        if not shown and self.series and up and across and not self.polar:
-            shown = said("{what} over {field}.", what=up, field=across).rstrip(".")
-        return ". ".join(part for part in (shown, self.says) if part)
+        if self.title or not (self.series and up and across) or self.polar:
+            return self.title
+        return said("{what} over {field}.", what=up, field=across).rstrip(".")
 
     def where_faint(self, text: str) -> Chart:
         """Return it with a text over the names of its series, if some of them are faint."""

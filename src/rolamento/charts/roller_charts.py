@@ -20,6 +20,7 @@ from rolamento.charts.along_roller import (
 )
 from rolamento.charts.axes_units import MEGAPASCAL, MILLIMETRE
 from rolamento.charts.contacts import Shown
+from rolamento.charts.courses import peak
 from rolamento.charts.palette import Look, race_look
 from rolamento.charts.record import Axis, Chart, Line, Mark, Spread
 from rolamento.geometry import Race
@@ -61,14 +62,15 @@ def along_chart(
     name
         What the upright axis is called.
     conclusion, marks
-        As of a chart.
+        As of a chart; by default it concludes in the highest point of its lines.
     """
     half = max(0.5e3 * float(np.nanmax(solved.rows.effective_length[0])) for solved in cases)
     look = Look("grey", "dot", width=0.5)
     ends = [Mark(end, "", look, "x") for end in (-half, half)]
     along = Axis(place_name(cases[0]), MILLIMETRE.symbol, (-ROOM * half, ROOM * half))
     upright = Axis(name, MEGAPASCAL.symbol, zero=True)
-    return Chart(tuple(lines), along, upright, conclusion, marks=(*marks, *ends))
+    most = conclusion or peak([(one.name, one.x, one.y) for one in lines], along, upright)
+    return Chart(tuple(lines), along, upright, most, marks=(*marks, *ends))
 
 
 def between_chart(one: Shown, roller: int) -> Chart:

@@ -602,7 +602,7 @@ def check_two_rings(bearing: Bearing | RollerBearing) -> None:
             said("is for bearings with two rings: here the shaft is the inner raceway"),
             field="mounting",
             value=bearing.designation,
-            example="diametral_clearance as shaft and housing leave it, and no [mounting]",
+            example='[bearing] diametral_clearance = "0.01 mm"',
         )
 
 
@@ -614,7 +614,7 @@ def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> N
             said("is not of tapered rollers: clearance or preload of a pair is set at mounting"),
             field=given[0],
             value=getattr(mounting, given[0]),
-            example='preload = { offset = "-20 um" } in [bearing]',
+            example='[bearing] preload = { offset = "-20 um" }',
         )
     if given and bearing.contact_angle:
         raise InputError(
@@ -629,7 +629,7 @@ def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> N
             said("applies to ball bearings; it has little effect on a roller bearing"),
             field="measuring_load",
             value=readable(mounting.measuring_load, "force"),
-            example='measured_clearance = "0.045 mm" without measuring_load',
+            example='measured_clearance = "0.045 mm"',
         )
 
 

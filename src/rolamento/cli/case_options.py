@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import Annotated, Any, Final
@@ -11,7 +12,7 @@ import typer
 from rolamento.errors import InputError
 from rolamento.words import said
 
-__all__ = ["CASE_OPTIONS", "SHORT_FORMS", "CaseOptions"]
+__all__ = ["CASE_OPTIONS", "SHORT_FORMS", "CaseOptions", "missing_options"]
 
 _FIELDS: Final = {
     "fr": ("--fr", "duty.load.fz", "5 kN"),
@@ -25,6 +26,20 @@ _FIELDS: Final = {
 """Option, the field of the case that it gives, and a value, by the parameter."""
 SHORT_FORMS: Final = {field: option for option, field, _ in _FIELDS.values()}
 """Options by the fields of a case that they give."""
+_OIL: Final = ("lubricant", "temperature")
+_TOGETHER: Final = {
+    "duty.load": ("fr", "speed"),
+    "lubricant": _OIL,
+    "lubricant.friction_coefficient": _OIL,
+    "temperature.lubricant": _OIL[1:],
+}
+"""Options that give what is missing, by its field."""
+
+
+def missing_options(field: str) -> str:
+    """Return the options by which a command is given a field that its case lacks; empty if none."""
+    given = (_FIELDS[name] for name in _TOGETHER.get(field, ()))
+    return " ".join(f"{option} {shlex.quote(value)}" for option, _, value in given)
 
 
 def _option(name: str, metavar: str, help: str, *, many: bool = False) -> Any:
@@ -46,10 +61,10 @@ CASE_OPTIONS: Final[Mapping[str, Any]] = {
     "catalogue": _option(
         "--catalogue",
         "FILE",
-        "A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+        "A catalogue of your own, CSV or TOML, for designations.",
         many=True,
     ),
-    "set": _option("--set", "KEY=VALUE", "Override a field of the case. Repeatable.", many=True),
+    "set": _option("--set", "KEY=VALUE", "Override a field of the case.", many=True),
 }
 """Options by their parameters, in the order of the help."""
 

@@ -193,6 +193,8 @@ def _spoken(shown: C) -> C:
     for name in ("help", "epilog"):
         if getattr(copied, name, None):
             setattr(copied, name, "\n\n".join(map(said, paragraphs(getattr(copied, name)))))
+    if getattr(copied, "multiple", False):
+        copied.help += " " + said("Repeatable.")
     if getattr(copied, "metavar", None):
         copied.metavar = said_in(METAVAR, copied.metavar)
     if getattr(copied, "param_type_name", "") == "argument":

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.case_options import CASE_OPTIONS, SHORT_FORMS, CaseOptions
+from rolamento.cli.case_options import CASE_OPTIONS, SHORT_FORMS, CaseOptions, missing_options
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -27,7 +27,7 @@ from rolamento.cli.grouped_help import as_option
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.outputs import OUTPUT_OPTIONS, Outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
-from rolamento.errors import InputError, UnknownKeyError
+from rolamento.errors import ABSENT, InputError, UnknownKeyError
 from rolamento.io.writing import write_text
 from rolamento.words import said, spelling
 
@@ -208,8 +208,10 @@ def _in_options(request: type[Request], typed: Mapping[str, Any]) -> Iterator[No
         is_file = error.source in _read(request, typed)
         named = {**options, error.field: error.field} if of_column else options
         named = {name: one for name, one in named.items() if not is_file or name != error.source}
+        if request.takes_case and error.value is ABSENT and (more := missing_options(error.field)):
+            error = error.with_details(example=more)
         with _in_names(named):
-            raise
+            raise error from None
 
 
 def _read(request: type[Request], typed: Mapping[str, Any]) -> list[str]:

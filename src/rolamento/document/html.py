@@ -44,7 +44,13 @@ from rolamento.document.model import (
     Title,
     Tone,
 )
-from rolamento.document.picture import alternative_of, formula, picture_bytes
+from rolamento.document.picture import (
+    alternative_of,
+    conclusion_of,
+    formula,
+    picture_address,
+    picture_bytes,
+)
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
@@ -98,13 +104,13 @@ def html(
     )
 
 
-def body(document: Document, *, picture: PictureName | None = None) -> str:
+def body(document: Document, *, images: bool = False) -> str:
     """Return a document as HTML without a style and without names, for a page that has its own.
 
-    picture: as of `html`.
+    images: whether pictures are images that hold them, which may not ask for anything.
     """
     with speaking(document.language):
-        return _Setter(document, picture, named=False).body()
+        return _Setter(document, None, named=False, images=images).body()
 
 
 def fragment(document: Document) -> str:
@@ -130,8 +136,15 @@ def style() -> str:
 class _Setter:
     """Sets the parts of one document."""
 
-    def __init__(self, document: Document, picture: PictureName | None, named: bool = True) -> None:
-        self._document, self._picture, self._named = document, picture, named
+    def __init__(
+        self,
+        document: Document,
+        picture: PictureName | None,
+        *,
+        named: bool = True,
+        images: bool = False,
+    ) -> None:
+        self._document, self._picture, self._named, self._images = document, picture, named, images
         headed = [section for section in document.parts() if section.heading]
         self._highest = min((section.level for section in headed), default=2)
         self._depths = document.depths
@@ -221,6 +234,8 @@ class _Setter:
         name = self._picture(block) if self._picture else None
         figure = block.draw() if name is None and block.draw is not None else None
         alternative = escape(_plain(alternative_of(block, figure)))
+        if figure is not None and self._images:
+            name = picture_address(figure)
         if name is not None:
             shown = f'<img src="{escape(name)}" alt="{alternative}">'
         elif figure is not None:
@@ -231,7 +246,10 @@ class _Setter:
             shown = f'<pre role="img" aria-label="{alternative}">{chr(10).join(lines)}</pre>'
         else:
             shown = ""
-        caption = _element("figcaption", _text(block.caption)) if block.caption else ""
+        conclusion = conclusion_of(block, figure)
+        below = [_text(block.caption)] if block.caption else []
+        below += [_element("span", _text(conclusion), classes="says")] if conclusion else []
+        caption = _element("figcaption", "<br>\n".join(below)) if below else ""
         return f"<figure>\n{shown}\n{caption}</figure>" if shown or caption else ""
 
 

@@ -46,11 +46,11 @@ from rolamento.document.model import (
     Table,
     Title,
 )
-from rolamento.document.picture import alternative_of, formula, picture_bytes
+from rolamento.document.picture import alternative_of, conclusion_of, formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
-__all__ = ["pdf"]
+__all__ = ["pdf", "set_by_typst"]
 
 _PAGE: Final = Path(__file__).with_name("page.typ")
 _WIDEST: Final = 112
@@ -72,6 +72,13 @@ def pdf(document: Document) -> bytes:
     document
         What to show.
     """
+    made = set_by_typst(document, format="pdf")
+    assert isinstance(made, bytes)
+    return made
+
+
+def set_by_typst(document: Document, **form: Any) -> bytes | list[bytes] | None:
+    """Return what Typst makes of a document; form: such as PNG of so many dots an inch."""
     import typst
     from matplotlib import get_data_path
 
@@ -84,9 +91,7 @@ def pdf(document: Document) -> bytes:
         compiler = typst.Compiler(
             _page(), root=empty, font_paths=fonts, sys_inputs={"document": json.dumps(given)}
         )
-        made = compiler.compile(format="pdf")
-    assert isinstance(made, bytes)
-    return made
+        return compiler.compile(**form)
 
 
 @cache
@@ -327,6 +332,7 @@ def _figure(block: Figure) -> list[dict[str, Any]]:
             "width": width,
             "sketch": sketch,
             "caption": _text(block.caption),
+            "says": _text(conclusion_of(block, drawn)),
             "alternative": _plain(alternative_of(block, drawn)),
         }
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import re
 import warnings
@@ -15,7 +16,14 @@ if TYPE_CHECKING:
 
     from rolamento.document.model import Figure as Shown
 
-__all__ = ["Formula", "alternative_of", "formula", "picture_bytes"]
+__all__ = [
+    "Formula",
+    "alternative_of",
+    "conclusion_of",
+    "formula",
+    "picture_address",
+    "picture_bytes",
+]
 
 # Nothing that tells when or with which release a figure was drawn.
 _METADATA: Final[dict[str, dict[str, Any]]] = {
@@ -29,6 +37,13 @@ _SETTINGS: Final[Any] = {
     "svg.hashsalt": "rolamento",
     "svg.fonttype": "path",
 }
+_IN_THE_DARK: Final = (
+    "<style>@media (prefers-color-scheme: dark) {"
+    "svg { filter: invert(.91) hue-rotate(180deg); }"
+    'image, [id*="QuadMesh"], [id*="colour-map"] { filter: invert(1) hue-rotate(180deg); }'
+    "}</style>"
+)
+"""As `page.css` says of pictures that stand in a page: a map of colours stays as it is."""
 _NOT_XML: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _CODES: Final = {1: "M", 2: "L", 3: "Q", 4: "C"}
 _POINTS_OF_CODE: Final = {1: 1, 2: 1, 3: 2, 4: 3}
@@ -36,23 +51,37 @@ _CLOSE: Final = 79
 _SIZE: Final = 100.0
 
 
-def alternative_of(shown: Shown, drawn: Figure | Axes | None = None) -> str:
-    """Return what a picture shows, for those who cannot see it.
+def conclusion_of(shown: Shown, drawn: Figure | Axes | None) -> str:
+    """Return what a picture says, in a line below its caption; empty if the caption says it.
 
     Parameters
     ----------
     shown
         The block of a page.
     drawn
-        What it has drawn; axes carry what their chart says as their label.
+        What it has drawn.
     """
-    figure: Any = None if drawn is None else drawn.get_figure(root=True)
-    labels = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
-    told = ". ".join(dict.fromkeys(one for one in labels if one and one[0] not in "_<"))
+    caption = shown.caption.casefold()
+    said = dict.fromkeys(says.rstrip(".") for _, says in _charts(drawn))
+    new = [one for one in said if one and one.casefold() not in caption]
+    return " · ".join(one[:1].upper() + one[1:] for one in new)
+
+
+def alternative_of(shown: Shown, drawn: Figure | Axes | None = None) -> str:
+    """Return what a picture shows, for those who cannot see it; its parameters as above."""
+    told = ". ".join(dict.fromkeys(". ".join(filter(None, one)) for one in _charts(drawn)))
     caption = shown.caption.rstrip(".")
     if shown.alternative or not told:
         return shown.alternative or shown.caption
     return told if caption in told else f"{caption}. {told}"
+
+
+def _charts(drawn: Figure | Axes | None) -> list[tuple[str, str]]:
+    """Return of each chart in a picture what it shows and what it says."""
+    figure: Any = None if drawn is None else drawn.get_figure(root=True)
+    labels = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
+    parted = (label.partition("\n") for label in labels)
+    return [(shows, says) for shows, end, says in parted if end and (shows or says)]
 
 
 def picture_bytes(drawn: Figure | Axes, kind: str, *, transparent: bool = False) -> bytes:
@@ -75,6 +104,16 @@ def picture_bytes(drawn: Figure | Axes, kind: str, *, transparent: bool = False)
         return content.getvalue()
     # Matplotlib says in comments which text it has drawn, whatever its characters
     return _NOT_XML.sub("?", content.getvalue().decode("utf-8", "replace")).encode()
+
+
+def picture_address(drawn: Figure | Axes) -> str:
+    """Return a picture as the address of an image that holds it, dark where its place is dark.
+
+    No style of a page reaches into an image; it knows the colour scheme of its place by itself.
+    """
+    opening, start, rest = picture_bytes(drawn, "svg", transparent=True).partition(b"<defs>")
+    own = opening + _IN_THE_DARK.encode() + start + rest
+    return f"data:image/svg+xml;base64,{base64.b64encode(own).decode()}"
 
 
 def _draw_once(figure: Figure, content: io.BytesIO) -> None:

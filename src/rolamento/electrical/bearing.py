@@ -234,7 +234,7 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
         raise InputError(
             said("is missing: without the film of an oil or a grease there is no capacitor"),
             field="temperature.lubricant" if solved.case.lubricant else "lubricant",
-            example='lubricant = "ISO VG 68" and [temperature] lubricant = "70 degC"',
+            example='lubricant = "ISO VG 68", [temperature] lubricant = "70 degC"',
         )
     films = film(solved) if known is None else known
     given = solved.case.electrical or Electrical()

@@ -14,7 +14,7 @@ from rolamento.case.machine import Machine, Section
 from rolamento.case.machine_files import CASE_TABLES
 from rolamento.case.machine_sheets import PARTS, Sheet, sheets_of_tables, tables_of_sheets
 from rolamento.case.record import records_of
-from rolamento.errors import InputError
+from rolamento.errors import InputError, kind_of
 from rolamento.io.sheets import Cell, book_bytes, put_text
 from rolamento.words import said
 
@@ -140,7 +140,7 @@ def machine_of_frames(frames: Mapping[str, pd.DataFrame]) -> Machine:
     sheets = {}
     for name, frame in frames.items():
         if not isinstance(frame, pd.DataFrame):
-            raise InputError(said("must be a data frame"), field=name, value=type(frame).__name__)
+            raise InputError(said("must be a data frame"), field=name, value=kind_of(frame))
         rows = tuple(
             tuple(_cell(value) for value in row)
             for row in frame.astype(object).itertuples(index=False, name=None)

@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.geometry import Race
-from rolamento.kinematics import spin_resistance
+from rolamento.kinematics import spin_resistance, spin_to_roll
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Contacts, Solved
@@ -153,8 +153,7 @@ class RelativeMotion:
     @property
     def spin_to_roll(self) -> FloatArray:
         """Ratio of spin to roll; NaN where nothing rolls."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return np.asarray(np.where(self.roll == 0.0, np.nan, self.spin / self.roll))
+        return spin_to_roll(self.spin, self.roll)
 
 
 @frozen

@@ -124,10 +124,10 @@ class Friction:
         return {
             "": f"{self.model}{bound}",
             "cases": str(len(self.torque)),
-            "torque": f"{span(1e3 * self.torque, 'N mm')}, {span(1e3 * self.torque_range, 'N mm')}"
+            "torque": f"{span(1e3 * self.torque, 'N·mm')}, {span(1e3 * self.torque_range, 'N·mm')}"
             " with the coefficient at its limits",
             "power": span(self.power, "W"),
-            "starting torque": span(1e3 * self.starting_torque, "N mm"),
+            "starting torque": span(1e3 * self.starting_torque, "N·mm"),
             "friction coefficient": span(self.friction_coefficient),
             "regime": ", ".join(dict.fromkeys(map(str, self.regime))),
             "torque by source, N mm": ", ".join(
@@ -473,7 +473,7 @@ def no_coefficient(case: Case) -> InputError:
         return InputError(
             said("is missing; the friction calculation needs it, or a coefficient of friction"),
             field="temperature.lubricant",
-            example='[temperature] with lubricant = "70 degC"',
+            example='[temperature] lubricant = "70 degC"',
         )
     return InputError(
         said(
@@ -481,7 +481,7 @@ def no_coefficient(case: Case) -> InputError:
             " temperature"
         ),
         field="lubricant.friction_coefficient",
-        example='lubricant = "ISO VG 68", and [temperature] with lubricant = "70 degC"',
+        example='lubricant = "ISO VG 68", [temperature] lubricant = "70 degC"',
     )
 
 

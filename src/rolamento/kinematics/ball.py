@@ -430,7 +430,10 @@ def friction_demand(
 
 
 def spin_to_roll(spin: FloatArray, roll: FloatArray) -> FloatArray:
-    """Ratio of the angular speeds about the normal and along the surface; NaN where none rolls."""
+    """Ratio ω_s/ω_roll of a contact: about its normal over about its tangent; NaN where none rolls.
+
+    Source: Harris, Rolling Bearing Analysis, 3rd ed. (1991), after Jones (1959).
+    """
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.where(roll == 0.0, np.nan, spin / roll))
 

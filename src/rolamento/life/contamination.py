@@ -136,8 +136,8 @@ def class_of_filter(size: float, ratio: float) -> ContaminationClass:
     raise InputError(
         said("is coarser than the last filter of the standard, β of 75 at 40 µm"),
         field="filter",
-        value=f"β = {beta:g} at {micrometres:g} µm",
-        example="β = 200 at 12 µm",
+        value=said("β = {beta:.6} at {size:.6 µm}", beta=beta, size=1e-6 * micrometres),
+        example=said("β = {beta:.6} at {size:.6 µm}", beta=200.0, size=12e-6),
     )
 
 

@@ -88,7 +88,7 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
         raise InputError(
             said("must be a single case in which nothing varies"),
             field="solved",
-            value=f"{len(solved)} cases",
+            value=len(solved),
             example="sensitivity(rolamento.solve(case))",
         )
     given = conditions_of(solved) if conditions is None else conditions

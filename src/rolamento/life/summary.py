@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, kind_of
 from rolamento.life import iso16281, iso16281_modified
 from rolamento.life.basis import Basis, EquivalentLoads
 from rolamento.life.conditions import LifeConditions, conditions_of
@@ -116,7 +116,7 @@ class LifeSummary:
         dynamic, static = span(ratings.dynamic_of_set, "N"), span(ratings.static_of_set, "N")
         return {
             **self.headline._shown(),
-            "ratings": f"C {dynamic}, C0 {static}",
+            "ratings": f"C {dynamic}, C_0 {static}",
             "equivalent load": span(self.loads.dynamic, "N"),
             "static safety": span(self.loads.safety),
             "theories": ", ".join(self.theories),
@@ -311,7 +311,7 @@ def life(
         raise InputError(
             said("must be the result of rolamento.solve"),
             field="solved",
-            value=type(solved).__name__,
+            value=kind_of(solved),
             example="life(rolamento.solve(case))",
         )
     given = conditions_of(solved) if conditions is None else conditions

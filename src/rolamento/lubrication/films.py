@@ -241,7 +241,7 @@ def film(solved: Solved, *, threads: int | None = None) -> Film:
         raise InputError(
             said("is missing: the film needs the lubricant's temperature"),
             field="temperature.lubricant",
-            example='[temperature] with lubricant = "70 degC"',
+            example='[temperature] lubricant = "70 degC"',
         )
     return in_blocks(_film_of_some, solved, threads)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from rolamento import document as doc
-from rolamento.words import said
+from rolamento.words import counted, said
 from rolamento.words.naming import machine_title
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def import_page(found: Imported) -> doc.Document:
     )
     head = doc.KeyValues((
         doc.Entry(said("file"), by),
-        doc.Entry(said("machine"), ", ".join(f"{kind} {count}" for kind, count in parts.items())),
+        doc.Entry(said("machine"), ", ".join(_how_many(*one) for one in parts.items())),
     ))  # fmt: skip
     names = {one.component: one.name for one in found.taken}
     return doc.Document(
@@ -48,6 +48,21 @@ def import_page(found: Imported) -> doc.Document:
         kind="rexs_import",
         main="taken",
     )
+
+
+def _how_many(kind: str, count: int) -> str:
+    """Say how many parts there are of a kind, by the table of a machine file that holds them."""
+    match kind:
+        case "shafts":
+            return counted("{n} shaft", "{n} shafts", count)
+        case "bearings":
+            return counted("{n} bearing", "{n} bearings", count)
+        case "loads":
+            return counted("{n} load", "{n} loads", count)
+        case "gears":
+            return counted("{n} gear", "{n} gears", count)
+        case _:
+            return f"{count} {kind}"
 
 
 def _taken(found: Imported) -> doc.Section:

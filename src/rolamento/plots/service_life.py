@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 from rolamento.charts import Axis, Bars, Chart, Labels, Line, Look, Mark, nothing
 from rolamento.charts.drawing import draw, figure
 from rolamento.charts.record import Side
-from rolamento.charts.texts import no_result, number
-from rolamento.words import said
+from rolamento.charts.texts import no_result
+from rolamento.units import HOUR
+from rolamento.words import manner, said
 from rolamento.words.sentences.service_life import ENDING_NAMES
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ def _conclusion(found: ServiceLife) -> str:
 def _when(one: Ending) -> str:
     """Return the hours of an ending, or what is said of one that has no time."""
     if np.isfinite(one.hours) and one.hours > 0.0:
-        return f"{number(one.hours)} h"
+        return manner().number(HOUR * one.hours, ".2r h")
     return (
         said("at work, no time known") if one.acting
         else said("at once") if one.hours == 0.0

@@ -122,7 +122,7 @@ def lines_chart(studies: Mapping[str, StudyData], variable: str = "", over: str 
     if any(t.along == SAMPLE and (several or not t.others) for t in tables.values()):
         raise InputError(
             said("cannot show a study of samples alone"), field="kind", value="lines",
-            example="histogram or scatter",
+            example="histogram",
         )  # fmt: skip
     first, study = next(iter(tables.values())), next(iter(studies.values()))
     if not any(np.isfinite(table.values).any() for table in tables.values()):
@@ -564,7 +564,7 @@ def _along_samples(study: StudyData, variable: str, kind: str) -> PlottedVariabl
             ),
             field="kind",
             value=kind,
-            example="lines or map",
+            example="lines",
         )
     return output
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rolamento.case import Case
 from rolamento.case.case import lubricant_of
 from rolamento.case.duty import AXES, LOADS
-from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
+from rolamento.errors import FileError, InputError, UnknownKeyError, kind_of, nearest
 from rolamento.geometry import Angle, Race
 from rolamento.io.json import dumps, plain
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
@@ -147,8 +147,18 @@ class Solved:
         return len(self.status.number)
 
     def __getitem__(self, index: int | slice | NDArray[Any] | list[Any]) -> Solved:
-        """Return some of the cases, as a result of its own."""
+        """Return some of the cases, as a result of its own.
+
+        Raises
+        ------
+        InputError
+            For a name: fields are read by `field`.
+        """
         some: Index
+        if isinstance(index, str):
+            rule = said("must be the number of a case, a slice or a mask")
+            example = 'solved[0], or solved.field("duty.load.fz")'
+            raise InputError(rule, field="solved", value=index, example=example)
         if isinstance(index, int | np.integer):
             if not -len(self) <= index < len(self):
                 raise IndexError(f"case {index} of {len(self)}")
@@ -592,6 +602,6 @@ def refuse_other(given: object, function: str) -> None:
         raise InputError(
             said("must be the result of rolamento.solve"),
             field="solved",
-            value=type(given).__name__,
+            value=kind_of(given),
             example=f"{function}(rolamento.solve(case))",
         )

@@ -68,7 +68,8 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
     """
     source = os.fspath(path)
     if not Path(source).is_file():
-        raise FileError(said("cannot be opened: no such file"), source=source)
+        rule = said("cannot be opened: no such file")
+        raise FileError(rule, source=source, example="result.nc")
     try:
         with Isolated(NetcdfVariables, Path(source), marked("NetCDF file")) as process:
             loaded = xr.decode_cf(_read(process, source)).load()

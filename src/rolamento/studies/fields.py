@@ -8,9 +8,9 @@ from typing import Final
 
 from rolamento.case import Case
 from rolamento.case.fields import Field, Value
-from rolamento.case.hints import meant
+from rolamento.case.hints import LISTED, hint
 from rolamento.case.machine_fields import field_of_machine, is_of_part
-from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError
 from rolamento.words import said
 
 __all__ = ["Field", "Value", "known_fields", "read_field", "read_varied", "refuse_rivals"]
@@ -85,10 +85,7 @@ def _advice(name: str, known: Mapping[str, Field]) -> str:
     if inside:
         more = ("…",) if len(inside) > _MOST_NAMED else ()
         return said("it is a table with {fields}", fields=", ".join((*inside[:_MOST_NAMED], *more)))
-    near = meant(name, known, nearest(name, known))
-    if near:
-        return said("did you mean {near}?", near=near)
-    return said("rolamento sweep --list fields lists them all")
+    return hint(name, known, known, said(LISTED))
 
 
 def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:

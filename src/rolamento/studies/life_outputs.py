@@ -97,7 +97,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
                 "α/d_m from 0.01 to 0.40)"
             ),
             field="case.life.dynamic_rating",
-            example='[life] with dynamic_rating = "20.6 kN"',
+            example='[life] dynamic_rating = "20.6 kN"',
         )
 
 
@@ -115,7 +115,7 @@ def _refuse_unrated_rollers(rows: Sequence[Bearing | RollerBearing]) -> None:
                     "α/d_pw from 0.01 to 0.30)"
                 ),
                 field="case.life.dynamic_rating",
-                example='[life] with dynamic_rating = "29.3 kN"',
+                example='[life] dynamic_rating = "29.3 kN"',
             )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
-from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.friction.machine import are_designated
 from rolamento.records import frozen
 from rolamento.words import marked, said, speaking
@@ -157,12 +157,7 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
     found = []
     for name in names:
         if name not in known:
-            near = nearest(name, known)
-            advice = (
-                said("did you mean {near}?", near=near)
-                if near
-                else said("rolamento sweep --list outputs lists them all")
-            )
+            advice = guess(name, known, said("rolamento sweep --list outputs lists them all"))
             raise UnknownKeyError(
                 said("is an unknown output; {advice}", advice=advice), field="outputs", value=name
             )
@@ -173,12 +168,12 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
 _MISSING: Final[Mapping[str, tuple[str, str]]] = {
     "bearing.preload": (
         marked("a preload between opposed rows"),
-        'arrangement = "DB", spacing = "30 mm" and preload = { force = "300 N" } in [bearing]',
+        '[bearing] arrangement = "DB", spacing = "30 mm", preload = { force = "300 N" }',
     ),
-    "lubricant": (marked("a lubricant"), 'lubricant = "ISO VG 68" in the case'),
+    "lubricant": (marked("a lubricant"), 'lubricant = "ISO VG 68"'),
     "temperature.lubricant": (
         marked("the lubricant's temperature"),
-        '[temperature] with lubricant = "70 degC" in the case',
+        '[temperature] lubricant = "70 degC"',
     ),
     "surface": (
         marked("the roughness of the surfaces"),
@@ -186,13 +181,13 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
     ),
     "friction": (
         marked("a coefficient of friction of at most 1, or an oil or a grease at its temperature"),
-        'lubricant = "ISO VG 68" in the case, and [temperature] with lubricant = "70 degC"',
+        'lubricant = "ISO VG 68", [temperature] lubricant = "70 degC"',
     ),
     "friction control": (
         marked("friction control of the balls"),
         'model.raceway_control = "friction" in the case',
     ),
-    "bearing.designation": (marked("a designation"), 'designation = "6310" in [bearing]'),
+    "bearing.designation": (marked("a designation"), '[bearing] designation = "6310"'),
     "heat": (
         marked("a [heat] table"),
         '[heat] with housing_ambient = "5 W/K" in the case',
@@ -210,7 +205,7 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         '[duty.oscillation] with angle = "30 deg" and frequency = "2 Hz" in the case',
     ),
     "balls": (marked("balls"), "friction_torque_roller_sliding"),
-    "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
+    "rollers": (marked("rollers"), '[bearing] element = "cylindrical"'),
     "life": (
         marked("a designation or a [life] table"),
         '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',

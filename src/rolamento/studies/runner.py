@@ -121,7 +121,7 @@ def run(
                 needed=needed / 1e9,
             ),
             field="outputs",
-            example="fewer outputs",
+            example=said("fewer outputs"),
         )
     whole = plan.empty(plan.cases)
     tally = _Tally(plan, progress)

@@ -191,7 +191,7 @@ class Study(Record):
             raise InputError(
                 said("is missing: give axes, a scatter, or variants"),
                 field="axes",
-                example='[[axes]] with field = "duty.inner_speed", values = ["0 rpm", "9000 rpm"]',
+                example='[[axes]] field = "duty.inner_speed", values = ["0 rpm", "9000 rpm"]',
             )
         self._check_fields()
         self._check_names()
@@ -209,7 +209,7 @@ class Study(Record):
             raise InputError(
                 said("are of a case; in a machine a field with several values is an axis"),
                 field="variants",
-                example='[[axes]] with field = "bearings.0.designation", values = ["6308", "6309"]',
+                example='[[axes]] field = "bearings.0.designation", values = ["6308", "6309"]',
             )
 
     def _check_variants(self) -> None:
@@ -418,7 +418,7 @@ def parse_study(
             raise InputError(
                 said("is a machine itself; a study names one, and says what varies"),
                 field="shafts",
-                example='machine = "machine.toml", in a file of its own',
+                example='machine = "machine.toml"',
             )
         read = {
             "case": _case_of(mapping, Path(folder), overrides),

@@ -108,7 +108,7 @@ def samples_of(dataset: Dataset) -> Samples:
         raise InputError(
             said("has no scatter: its result has no samples"),
             field="scatter",
-            example='[scatter] with count = 1000 and [scatter.fields."duty.load.fx"]',
+            example='[scatter] count = 1000, [scatter.fields."duty.load.fx"]',
         )
     status = dataset["status"]
     outputs = {

@@ -216,7 +216,7 @@ class OverRequest(RangeRequest):
     ----------
     variants
         Also the case with this changed, under this name; further FIELD=VALUE after commas, such as
-        'spring:bearing.preload={ spring = "500 N" }'. Repeatable.
+        'spring:bearing.preload={ spring = "500 N" }'.
     """
 
     variants: Annotated[tuple[str, ...], VARIANTS] = ()

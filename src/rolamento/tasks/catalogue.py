@@ -43,7 +43,7 @@ class CatalogueSearch(FindingRequest):
     most
         Maximum number of results.
     catalogues
-        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+        A catalogue of your own, CSV or TOML, for designations.
     """
 
     text: Annotated[str, Input(essential=True, example="6205", stands_alone=True, metavar="TEXT")]
@@ -85,7 +85,7 @@ class BearingRequest(FindingRequest):
     axis
         Print the candidates as an axis of a study file instead.
     catalogues
-        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+        A catalogue of your own, CSV or TOML, for designations.
     """
 
     designation: Annotated[

@@ -9,7 +9,7 @@ from dataclasses import asdict, replace
 from functools import cached_property
 from itertools import product
 from math import ceil, inf, isfinite, pi
-from typing import TYPE_CHECKING, Any, Final, Literal, Protocol, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, Unpack
 
 import numpy as np
 
@@ -105,8 +105,40 @@ class TooShort:
         return (Note("shaft_too_slow" if self.is_stretch else "record_short", values),)
 
 
+class Concluded:
+    """What comes to a verdict, and says so in sentences."""
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> Conclusion:
+        """What it comes to."""
+        raise NotImplementedError
+
+    @property
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to, sentence by sentence."""
+        raise NotImplementedError
+
+    @property
+    def complaint(self) -> str:
+        """Why there is no verdict; "" if there is one."""
+        if self.verdict not in ("no_verdict", "undecided"):
+            return ""
+        return " ".join(note.text for note in self.statement)
+
+    def _head(self, kind: str) -> dict[str, Any]:
+        """Return what its plain data begin with."""
+        return {
+            "schema": SCHEMA,
+            "kind": kind,
+            "verdict": self.verdict,
+            "statement": _mappings(self.statement),
+        }
+
+
 @frozen(eq=False, slots=False)
-class DiagnosisResult:
+class DiagnosisResult(Concluded):
     """All that a diagnosis of a vibration record finds, or why it has none.
 
     Attributes
@@ -337,11 +369,6 @@ class DiagnosisResult:
                     values = {"part": part, "count": count, "frequency": frequency}
                     yield Note("peak_of_other_count", values)
 
-    @property
-    def complaint(self) -> str:
-        """Why there is no verdict; "" if there is one."""
-        return complaint_of(self)
-
     def page(self) -> Document:
         """Return what people read of it."""
         from rolamento.pages.diagnosis import diagnosis_page
@@ -370,9 +397,7 @@ class DiagnosisResult:
         """Return everything but the spectra as plain data, in SI units and Hz."""
         if (short := self.too_short) is not None:
             return {
-                "schema": SCHEMA,
-                "verdict": self.verdict,
-                "statement": _mappings(self.statement),
+                **self._head("diagnosis"),
                 "reason": short.reason,
                 "revolutions": short.revolutions,
                 "required_revolutions": short.required_revolutions,
@@ -380,10 +405,8 @@ class DiagnosisResult:
             }
         diagnosis, signal = self.diagnosis, self.signal
         return {
-            "schema": SCHEMA,
-            "kind": "diagnosis",
+            **self._head("diagnosis"),
             "title": self.title,
-            "verdict": self.verdict,
             "grade": diagnosis.grade,
             "faults": list(diagnosis.causes),
             "watched": list(diagnosis.watched),
@@ -395,7 +418,6 @@ class DiagnosisResult:
             "slips": [
                 {"component": part, "cage_deviation": slip} for part, slip in diagnosis.slips
             ],
-            "statement": _mappings(self.statement),
             "advice": _mappings((*diagnosis.advice, *self._other_counts(), *self._shared())),
             "lookalikes": None if self.lookalikes is None else self.lookalikes.to_mapping(),
             "components": [part.to_mapping() for part in diagnosis.components],
@@ -428,21 +450,6 @@ class DiagnosisResult:
             },
             "notes": _mappings(self.notes),
         }
-
-
-class _Concluded(Protocol):
-    @property
-    def verdict(self) -> Conclusion: ...
-
-    @property
-    def statement(self) -> tuple[Note, ...]: ...
-
-
-def complaint_of(found: _Concluded) -> str:
-    """Return what a result without a verdict comes to; "" of one that has one."""
-    if found.verdict not in ("no_verdict", "undecided"):
-        return ""
-    return " ".join(note.text for note in found.statement)
 
 
 def _mappings(notes: Iterable[Note]) -> list[dict[str, Any]]:
@@ -605,7 +612,7 @@ def diagnose(
 
 
 @frozen(eq=False, slots=False)
-class UnknownResult:
+class UnknownResult(Concluded):
     """The combs of a record whose bearing nobody knows, and the bearings that would have them.
 
     Attributes
@@ -640,11 +647,6 @@ class UnknownResult:
             notes.append(Note("no_bearing_with_combs", {"compared": self.found.compared}))
         return tuple(notes)
 
-    @property
-    def complaint(self) -> str:
-        """Why there is no verdict; "" if there is one."""
-        return complaint_of(self)
-
     def page(self) -> Document:
         """Return what people read of it."""
         from rolamento.pages.history import unknown_page
@@ -654,11 +656,8 @@ class UnknownResult:
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data."""
         return {
-            "schema": SCHEMA,
-            "kind": "unknown_bearing",
+            **self._head("unknown_bearing"),
             "title": self.title,
-            "verdict": self.verdict,
-            "statement": _mappings(self.statement),
             **self.found.to_mapping(),
         }
 

@@ -269,7 +269,7 @@ def _of_life(kind: Kind, solved: Solved) -> Axes:
         raise InputError(
             said("is missing: figures of life need it, or a bearing with a designation"),
             field="case.life",
-            example='[life] with cleanliness = "-/17/14" and oil_supply = "circulating"',
+            example='[life] cleanliness = "-/17/14", oil_supply = "circulating"',
         )
     if kind is Kind.sn:
         return figures.load_over_life(lives_over_load(solved))
@@ -286,7 +286,7 @@ def _of_life(kind: Kind, solved: Solved) -> Axes:
             ),
             field="kind",
             value=kind.value,
-            example="[life] with viscosity_ratio = 1.5 and contamination = 0.5",
+            example="[life] viscosity_ratio = 1.5, contamination = 0.5",
         )
     return figures.aiso_chart(summary)
 

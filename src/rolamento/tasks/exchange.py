@@ -59,7 +59,7 @@ class ImportRequest(FindingRequest):
     force
         Overwrite files that are there.
     catalogues
-        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+        A catalogue of your own, CSV or TOML, for designations.
     """
 
     model: Annotated[Any, Input("", "file", essential=True, metavar="MODEL")]
@@ -136,12 +136,12 @@ class ExportRequest(MachineRequest):
         (elements for ROSS, with `ross`), .py (rotors for ROSS); .csv, .mat (MATLAB), .txt
         (Modelica): tables of stiffness and force; .fmu (FMI); .xlsx (the machine as a workbook).
     settings
-        Override a field of the machine or the case. Repeatable.
+        Override a field of the machine or the case.
     without_results
         REXS: do not solve it: what is given alone is written.
     over
         Field over which bearings are solved, such as loads.0.fz=1..10kN; by default the speed, from
-        rest. Repeatable, for two fields.
+        rest. At most two fields.
     points
         Values of each field, by default 9.
     bearing

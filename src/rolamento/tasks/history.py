@@ -19,9 +19,9 @@ from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.tasks.diagnosis import (
     SCHEMA,
+    Concluded,
     Conclusion,
     DiagnosisResult,
-    complaint_of,
     diagnose,
 )
 from rolamento.vibration.diagnosis import COMPONENTS, DAMAGE, Component, DiagnosisSettings
@@ -125,7 +125,7 @@ class PartThen:
 
 
 @frozen(eq=False, slots=False)
-class History:
+class History(Concluded):
     """A diagnosis, and what the machine's own good days make of it.
 
     Attributes
@@ -198,11 +198,6 @@ class History:
         }
         return of_element(Note(key, values), self.now.diagnosis.element)
 
-    @property
-    def complaint(self) -> str:
-        """Why there is no verdict; "" if there is one."""
-        return complaint_of(self)
-
     def page(self) -> Document:
         """Return what people read of it."""
         from rolamento.pages.history import history_page
@@ -212,10 +207,7 @@ class History:
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data, in SI units and Hz."""
         return {
-            "schema": SCHEMA,
-            "kind": "diagnosis_history",
-            "verdict": self.verdict,
-            "statement": [note.to_mapping() for note in self.statement],
+            **self._head("diagnosis_history"),
             "parts": [
                 {
                     "component": part.component,

@@ -47,7 +47,7 @@ class SolveRequest(CaseRequest):
     ----------
     variants
         Also the case with this changed, under this name; further FIELD=VALUE after commas, such as
-        'spring:bearing.preload={ spring = "500 N" }'. Repeatable.
+        'spring:bearing.preload={ spring = "500 N" }'.
 
     >>> found = SolveRequest(case="6310/C3", changes={"duty.load.fz": "5 kN"}).run().found
     >>> bool(found.solved.converged[0])

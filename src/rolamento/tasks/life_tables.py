@@ -46,7 +46,7 @@ class LifeTable(Request):
     mode
         Column of the failure modes, if named otherwise.
     ignored
-        Column that could say what failed, and does not. Repeatable.
+        Column that could say what failed, and does not.
     start
         Column of the days on which bearings went into service, for lives between two dates,
         if named otherwise.

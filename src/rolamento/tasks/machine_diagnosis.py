@@ -15,10 +15,9 @@ from rolamento.errors import InputError, arguments, nearest
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.records import frozen
 from rolamento.tasks.diagnosis import (
-    SCHEMA,
+    Concluded,
     Conclusion,
     DiagnosisResult,
-    complaint_of,
     diagnose,
 )
 from rolamento.units import rpm_of
@@ -252,7 +251,7 @@ def _ratio(row: Mapping[str, Any], ratios: Mapping[str, float]) -> float:
 
 
 @frozen(eq=False, slots=False)
-class MachineDiagnosis:
+class MachineDiagnosis(Concluded):
     """Every bearing of a machine, by one record.
 
     Attributes
@@ -305,11 +304,6 @@ class MachineDiagnosis:
             notes += [Note("of_bearing", {"name": bearing.name}), *one.statement]
         return tuple(notes)
 
-    @property
-    def complaint(self) -> str:
-        """Why there is no verdict; "" if there is one."""
-        return complaint_of(self)
-
     def page(self) -> Document:
         """Return what people read of it."""
         from rolamento.pages.history import machine_page
@@ -319,10 +313,7 @@ class MachineDiagnosis:
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data, in SI units and Hz."""
         return {
-            "schema": SCHEMA,
-            "kind": "diagnosis_machine",
-            "verdict": self.verdict,
-            "statement": [note.to_mapping() for note in self.statement],
+            **self._head("diagnosis_machine"),
             "shared": [
                 [
                     {"bearing": self.machine.bearings[place].name, "component": part}

@@ -43,9 +43,9 @@ class MachineRequest(FindingRequest):
     machine
         Machine file (TOML or JSON, or a workbook, .xlsx); - for standard input.
     settings
-        Override a field of the machine: parts by name, or by number from 0. Repeatable.
+        Override a field of the machine: parts by name, or by number from 0.
     catalogues
-        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+        A catalogue of your own, CSV or TOML, for designations.
     """
 
     machine: Annotated[Any, Input("", "file", essential=True, metavar="MACHINE")]

@@ -120,7 +120,7 @@ class NewRequest(FindingRequest):
     force
         Overwrite files that are there.
     catalogues
-        A catalogue of your own, CSV or TOML, for designations. Repeatable.
+        A catalogue of your own, CSV or TOML, for designations.
     """
 
     designation: Annotated[

@@ -299,7 +299,6 @@ class NoiseLevel(SignalRequest):
         Hours of the test at which the signals were recorded, such as 60,120,180.
     full_scale
         Full scale of a band, low, medium or high, in anderons or as a velocity such as '120 um/s'.
-        Repeatable.
     accepted
         Accepted fraction of the full scale, up to 1.
     """

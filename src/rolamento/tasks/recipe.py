@@ -88,7 +88,7 @@ class SynthesisRequest(CaseRequest):
         Fraction by which the speed wanders at random instead, with memory.
     faults
         outer_race, inner_race, ball (or roller) or cage; with strength, azimuth, jitter, slip,
-        scatter, modulation, index, inner_gain. Repeatable.
+        scatter, modulation, index, inner_gain.
     jitter
         Standard deviation of the impact intervals over their mean, for all faults (default 0.01).
     load
@@ -96,7 +96,7 @@ class SynthesisRequest(CaseRequest):
     load_turns
         Speed of the load direction over that of the shaft: 1 for unbalance.
     modes
-        Resonance excited by an impact, with damping and gain; 3500 Hz by default. Repeatable.
+        Resonance excited by an impact, with damping and gain; 3500 Hz by default.
     path
         Path to the sensor: far_gain, of an impact on the far side, and sensor_azimuth.
     snr
@@ -110,7 +110,7 @@ class SynthesisRequest(CaseRequest):
         Amplitudes at 1, 2, 3 … times the shaft frequency, in m/s².
     waviness
         Waviness of outer, inner or ball (or roller): amplitude, such as '50 nm', with first, last,
-        slope, direction. Repeatable.
+        slope, direction.
     duration
         Duration, such as '10 s'.
     rate

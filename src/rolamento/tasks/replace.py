@@ -195,7 +195,7 @@ class LivesRequest(LifeTable):
     example
         Shipped lives: campanha-2008 or lieblein-zelen-1956.
     only
-        Only this group of the data. Repeatable.
+        Only this group of the data.
     only_mode
         Only this failure mode of the data, failures by others as suspensions; all for all failures
         alike.

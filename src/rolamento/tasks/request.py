@@ -47,6 +47,10 @@ that of a file to be written: no page and no program elsewhere may name one. Wha
 read in the place of a file.
 """
 PICTURE: Final = marked("Draw the result: a .png, .svg or .pdf file.")
+_PARTED: Final = {
+    ";": marked("Separate several with semicolons."),
+    ",": marked("Separate several with commas."),
+}
 _OPTIONS: Final = marked("Options")
 _OUTPUT: Final = marked("Output")
 _LONGEST: Final = 300
@@ -176,11 +180,11 @@ class Input:
     def described(self, name: str, meaning: str) -> dict[str, Any]:
         """Return it as plain data, in the language that is spoken; name, meaning: of its field."""
         choices = {} if self.choices is None else self.choices()
-        meaning = self.on_page or meaning
+        sentences = (self.on_page or meaning, _PARTED[self.separator] if self._is_joined else "")
         return {
             "name": name,
             "label": said(self.label),
-            "meaning": said(meaning) if meaning else "",
+            "meaning": " ".join(said(one) for one in sentences if one),
             "kind": "text" if self.kind in ("quantity", "bearing") else self.kind,
             "example": self.example,
             "choices": [

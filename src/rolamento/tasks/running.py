@@ -124,7 +124,7 @@ class FrequenciesRequest(CaseRequest):
         or any angle, such as '15 deg'.
     tolerances
         Tolerance of ball_diameter or roller_diameter, pitch_diameter, contact_angle, speed (a
-        fraction) or slip, such as speed=0.01. Repeatable.
+        fraction) or slip, such as speed=0.01.
     harmonics
         Harmonics to show, 1 to 100.
     sidebands

@@ -24,7 +24,7 @@ from rolamento.vibration.order_tracking import revolutions_of
 from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.shaft_speed import estimate_speed, speed_from_pulses
 from rolamento.vibration.signal import Signal
-from rolamento.words import Note, marked, said
+from rolamento.words import Note, manner, marked, said
 
 SpeedSource = Literal["given", "file", "case", "channel", "pulses", "vibration"]
 """Where the speed is from: the user, the signal's file, the case; or what it was measured from."""
@@ -433,7 +433,7 @@ def _check_range(shaft: ShaftSpeed, parameter: str) -> None:
                 duration=arguments(duration=...),
             ),
             field=parameter,
-            value=f"{rpm_of(shaft.minimum):.6g} to {rpm_of(shaft.maximum):.6g} rpm",
+            value=said("{low:.6 [rpm]} to {high:.6 rpm}", low=shaft.minimum, high=shaft.maximum),
             example=arguments(start=2, duration=10),
         ) from None
 
@@ -648,7 +648,7 @@ def found_in_vibration(
             ),
             source="track",
             field="record",
-            value=f"{count / per_turn:.4g} revolutions",
+            value=manner().number(count / per_turn, ".4 rev"),
             example=arguments(speed_channel="rpm"),
         )
     stretches = _stretches(count, per_turn)

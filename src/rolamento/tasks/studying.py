@@ -39,7 +39,7 @@ class SweepRequest(FindingRequest):
         Result: a .nc (NetCDF), .csv, .parquet or .xlsx file; by default named after the study.
     variants
         Also the case with this changed, under this name; further FIELD=VALUE after commas, such as
-        'spring:bearing.preload={ spring = "500 N" }'. Repeatable.
+        'spring:bearing.preload={ spring = "500 N" }'.
     threads
         Number of threads; by default one per processor.
     scheduler
@@ -185,10 +185,10 @@ class PlotRequest(FindingRequest):
     over
         Input of a study along the horizontal axis.
     labels
-        What the legend calls a file; once for each. By default titles or names.
+        What the legend calls a file, one for each; by default titles or names.
     variants
         Also the case with this changed, under this name; further FIELD=VALUE after commas, such as
-        'spring:bearing.preload={ spring = "500 N" }'. Repeatable.
+        'spring:bearing.preload={ spring = "500 N" }'.
     output
         File to write: .png, .svg or .pdf; by default RESULT's name with .png, in this folder.
     """

@@ -30,7 +30,7 @@ class VerificationRequest(FindingRequest):
     Parameters
     ----------
     source
-        Only this source, such as radaelli_2013. Repeatable.
+        Only this source, such as radaelli_2013.
     """
 
     source: Annotated[

@@ -44,8 +44,8 @@ class VibrationDiagnosis(SignalRequest):
         File of a machine with several bearings, shafts and gears, instead of `bearing`: all
         are tested together.
     baseline
-        Record of the machine in good order, or a folder of them; may be repeated. Damage is
-        what has doubled since.
+        Record of the machine in good order, or a folder of them. Damage is what has
+        doubled since.
     nominal
         Search the frequencies of the geometry, whatever the load.
     angle

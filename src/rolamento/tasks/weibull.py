@@ -369,12 +369,12 @@ class LifeTestEvaluation(LifeTable):
         Life test: columns time, status and, if any, group, rig, count and more; - for
         standard input.
     reliabilities
-        Reliability to give lives for, 0.9 for L10. Repeatable; by default 0.9 and 0.5.
+        Reliability to give lives for, 0.9 for L10; by default 0.9 and 0.5.
     times
-        Time to give the reliability at, such as '100 h'. Repeatable.
+        Time to give the reliability at, such as '100 h'.
     calculated
         Calculated life to compare with the data, such as 'ISO 281=58 h', for the first
-        reliability. Repeatable.
+        reliability.
     confidence
         Confidence of the bounds, such as 0.9.
     sides
@@ -387,7 +387,7 @@ class LifeTestEvaluation(LifeTable):
     seed
         Seed of the random numbers.
     method
-        Fitting method: ml, unbiased, rrx, rry, three-parameter. Repeatable; by default the
+        Fitting method: ml, unbiased, rrx, rry, three-parameter; by default the
         first four.
     three_parameter
         Fit a failure-free time as well.
@@ -406,7 +406,7 @@ class LifeTestEvaluation(LifeTable):
     only_mode
         Only this failure mode: failures by others are suspensions.
     only
-        Only this group. Repeatable.
+        Only this group.
     example
         A shipped life test: campanha-2008 or lieblein-zelen-1956.
     contour_of
@@ -888,7 +888,7 @@ class PrecisionTest(Request):
     groups
         Bearings of that test, or rigs with several each.
     group_sizes
-        Bearings per rig of a sudden-death test. Repeatable.
+        Bearings per rig of a sudden-death test.
     life
         Expected life, such as '1000 h'; without it times are multiples of it.
     shape
@@ -1082,7 +1082,7 @@ class TrendEvaluation(Request):
         Law of wear, fitted to the clearance: running-in, running-in-and-steady, power; running-in
         by default where the first quantity is a length.
     limits
-        Limit of a quantity, such as '4.5 mm/s': when it is reached. Repeatable.
+        Limit of a quantity, such as '4.5 mm/s': when it is reached.
     growth
         Law of growth: linear or exponential; by default the likelier one.
     confidence
@@ -1092,7 +1092,7 @@ class TrendEvaluation(Request):
     bearing
         Column of the bearings, if named otherwise.
     values
-        Column of a quantity. Repeatable; by default all with a unit in brackets.
+        Column of a quantity; by default all with a unit in brackets.
     decimal_mark
         Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.
     date_order

@@ -28,7 +28,7 @@ import numpy as np
 
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing, axis_angle
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.geometry import apex_half_angle, ring_geometry
 from rolamento.io.json import plain
 from rolamento.kinematics import apex_mismatch, ball_motion, roller_motion
@@ -413,7 +413,7 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
         raise InputError(
             said("must be a single case"),
             field="solved",
-            value=f"{len(solved)} cases",
+            value=len(solved),
             example="solved[0]",
         )
     _check_slip(slip)
@@ -703,4 +703,4 @@ def _spread_line(order: float, orders: Sequence[float], shaft_frequency: float) 
 
 
 def _check_slip(slip: float) -> None:
-    number(slip, "slip", least=-1.0, most=1.0, example="slip = 0.01")
+    number(slip, "slip", least=-1.0, most=1.0, example=arguments(slip=0.01))

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 import scipy
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, kind_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.validate import number
@@ -154,7 +154,7 @@ def order_spectrum(angular: AngularSignal) -> Spectrum:
         raise InputError(
             said("must be an AngularSignal"),
             field="angular",
-            value=type(angular).__name__,
+            value=kind_of(angular),
             example="order_spectrum(order_tracked(signal))",
         )
     values = one_sided_amplitudes(angular.samples)
@@ -198,7 +198,7 @@ def _turning(signal: Signal) -> FloatArray:
                 "the shaft rotates steadily"
             ),
             field="speed",
-            value=f"{_TURN * lowest:g} to {_TURN * highest:g} rad/s",
+            value=said("{low:.6 [rpm]} to {high:.6 rpm}", low=_TURN * lowest, high=_TURN * highest),
         )
     return np.abs(speed)
 

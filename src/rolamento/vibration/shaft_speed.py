@@ -39,7 +39,7 @@ from rolamento.validate import number, whole_number
 from rolamento.vibration.noise_floor import line_scores, log_gamma_tail
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
 from rolamento.vibration.signal import Signal, require_signal
-from rolamento.words import marked, said
+from rolamento.words import manner, marked, said
 
 Edge = Literal["rising", "falling"]
 _HYSTERESIS: Final = 0.2
@@ -312,7 +312,7 @@ class _Search:
                     turns_per_block=4 * _TURNS_PER_BLOCK,
                 ),
                 field="record",
-                value=f"{signal.duration * frequency:.3g} revolutions",
+                value=manner().number(signal.duration * frequency, ".3 rev"),
             )
         # half the width of a line at the highest harmonic
         step = 0.5 * signal.rate / block / harmonics

@@ -9,7 +9,7 @@ from typing import Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError, nearest, shown
+from rolamento.errors import InputError, kind_of, nearest, shown
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.validate import one_of, scalar
@@ -192,7 +192,7 @@ def real_numbers(given: ArrayLike, field: str, example: str) -> FloatArray:
         array = None
     if array is None:
         rule = said("must be real numbers: a list, an array or a series")
-        raise InputError(rule, field=field, value=type(given).__name__, example=example)
+        raise InputError(rule, field=field, value=kind_of(given), example=example)
     array.flags.writeable = False
     return array
 
@@ -255,7 +255,7 @@ def require_signal(given: object) -> None:
         raise InputError(
             said("must be a Signal, samples with their rate"),
             field="signal",
-            value=type(given).__name__,
+            value=kind_of(given),
             example="Signal(samples, rate=51200.0)",
         )
 

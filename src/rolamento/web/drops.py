@@ -8,7 +8,6 @@ user calls the file is only said; it is never part of a path.
 
 from __future__ import annotations
 
-import base64
 import os
 import re
 import unicodedata
@@ -26,7 +25,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from rolamento.document import Document, Figure, Section, Statement
+from rolamento.document import Document, Section, Statement
 from rolamento.errors import InputError
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
@@ -48,7 +47,6 @@ if TYPE_CHECKING:
 __all__ = [
     "LARGEST",
     "WORDS",
-    "as_data",
     "described",
     "ending_of",
     "example_file",
@@ -87,7 +85,6 @@ WORDS: Final[Mapping[str, str]] = {
     "paste_example": marked("time (h),status\n120,failed\n340,suspended"),
     "examples": marked("Try an example"),
     "more": marked("More options"),
-    "several": marked("Several: with semicolons between"),
     "none": marked("(not given)"),
     "run_signal": marked("Diagnose the record"),
     "run_weibull": marked("Evaluate the life test"),
@@ -406,7 +403,7 @@ def _answer(
             "tone": "" if first is None else first.tone,
         },
         "title": document.title,
-        "html": "".join(_below(body(_pictures_first(one), picture=as_data)) for one in pages),
+        "html": "".join(_below(body(_pictures_first(one), images=True)) for one in pages),
         "files": [one for one in _TYPES if one not in ("csv", "xlsx") or document.tables()],
     }
 
@@ -423,23 +420,6 @@ def _pictures_first(document: Document) -> Document:
 def _below(html: str) -> str:
     """Return a page as a part of another: its headings stand a level lower."""
     return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
-
-
-_COLOUR_MAPS: Final = (b"<image", b'id="QuadMesh', b'id="colour-map')
-
-
-def as_data(figure: Figure) -> str | None:
-    """Return a picture as a name that holds it, and ends in ``#colours`` where colours are numbers.
-
-    Images may not ask for anything.
-    """
-    if figure.draw is None:
-        return None
-    from rolamento.document.picture import picture_bytes
-
-    drawn = picture_bytes(figure.draw(), "svg", transparent=True)
-    is_map = any(mark in drawn for mark in _COLOUR_MAPS)
-    return f"data:image/svg+xml;base64,{base64.b64encode(drawn).decode()}{'#colours' * is_map}"
 
 
 def file_of(document: Document, mapping: dict[str, Any], form: str) -> dict[str, Any]:

@@ -5,7 +5,6 @@ Of a request nothing is read but its own tables: they may name no file.
 
 from __future__ import annotations
 
-import base64
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -38,7 +37,7 @@ from rolamento.pages.machine import PICTURES, machine_page, machine_picture, mac
 from rolamento.tasks.examples import EXAMPLES, TITLES
 from rolamento.validate import one_of
 from rolamento.web.answers import answer, error_object, read_json
-from rolamento.web.drops import REPORTS, as_data, file_of, plain_name, response_of
+from rolamento.web.drops import REPORTS, file_of, plain_name, response_of
 from rolamento.web.form import in_labels
 from rolamento.web.limits import SECONDS, by_weight, check_machine, size_of_machine, slow
 from rolamento.words import language, marked, said
@@ -328,7 +327,7 @@ def _html(section: Section, **more: Any) -> str:
 def _picture(found: MachineAnalysis, key: str, step: int) -> str:
     with _PEN:
         figure = machine_picture(found.solved, key, step)
-        return _html(Section("", (figure,), key="picture"), picture=as_data)
+        return _html(Section("", (figure,), key="picture"), images=True)
 
 
 # --- the drawing ----------------------------------------------------------------------------------
@@ -336,17 +335,17 @@ def _picture(found: MachineAnalysis, key: str, step: int) -> str:
 
 def _drawing(found: MachineAnalysis, step: int, width: int) -> dict[str, Any]:
     """The machine to scale, what can be taken hold of, and how its shafts bend; in points."""
-    from rolamento.document.picture import picture_bytes
+    from rolamento.document.picture import picture_address
     from rolamento.plots.machine_sketch import sketch_machine
 
     machine = found.solved.machine
     with _PEN:
         sketch = sketch_machine(machine, step=step, width=width)
-        image = picture_bytes(sketch.figure, "svg", transparent=True)
+        image = picture_address(sketch.figure)
     lines, times = _deflected(found, step, sketch)
     return {
         "drawing": {
-            "image": "data:image/svg+xml;base64," + base64.b64encode(image).decode(),
+            "image": image,
             "width": sketch.width,
             "height": sketch.height,
             "left": sketch.left,

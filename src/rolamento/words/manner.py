@@ -2,7 +2,8 @@
 
 A number in SI is written in a unit by a specification, in templates and in tables alike::
 
-    ""            a text as it is; an integer grouped in threes; a float with four figures
+    ""            a text as it is, a `Written` one as on pages; an integer grouped in threes; a
+                  float with four figures
     ".5"          five significant figures, without trailing zeros
     ".2f"         two decimals
     ".3r"         three significant figures with their zeros, the rest rounded away: 5.00, 12 300;
@@ -30,6 +31,7 @@ __all__ = [
     "ENDLESS",
     "UNITS",
     "Manner",
+    "Written",
     "decimals_for",
     "in_unit",
     "unit_of",
@@ -171,6 +173,12 @@ def _pieces(template: str) -> tuple[tuple[str, str | None, str], ...] | None:
     return tuple(found)
 
 
+class Written(str):
+    """A quantity as a case file writes it, such as ``"22.23 mm"``; sentences say it as pages do."""
+
+    __slots__ = ()
+
+
 class Manner(Formatter):
     """Writes numbers with one decimal mark, and fills templates with them.
 
@@ -268,7 +276,7 @@ class Manner(Formatter):
     def format_field(self, value: Any, format_spec: str) -> str:
         """Write what a template holds in one of its places."""
         if isinstance(value, str):
-            return value
+            return self.localised(value) if isinstance(value, Written) else value
         if value is None:
             return ABSENT
         if isinstance(value, bool):

@@ -168,7 +168,7 @@ def _given(profile: GivenSpeed, time: FloatArray) -> FloatArray:
         raise InputError(
             said("must be two rows of equal length"),
             field="times",
-            example="times = [0.0, 10.0] with speeds = [100.0, 200.0]",
+            example="times = [0.0, 10.0], speeds = [100.0, 200.0]",
         )
     if not (np.all(np.isfinite(times)) and np.all(np.diff(times) > 0.0)):
         raise InputError(

@@ -99,8 +99,7 @@ class Drop {
   field(one) {
     const id = `drop-${this.kind}-${one.name}`;
     const error = make("p", { className: "error", id: `${id}-error` });
-    const help = make("p", { className: "help", id: `${id}-help` },
-      one.kind === "list" ? `${one.meaning} ${this.words.several}.` : one.meaning);
+    const help = make("p", { className: "help", id: `${id}-help` }, one.meaning);
     let control, read, label = make("label", { for: id }, one.label);
     if (one.kind === "choices") {
       const boxes = one.choices.map(({ value, label: text }) => {
