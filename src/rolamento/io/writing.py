@@ -192,4 +192,4 @@ def _put_in_place(unfinished: Path, target: Path, new: bool) -> None:
 
 
 def _megabytes(size: int) -> str:
-    return said("{size:.4r} MB", size=size / 1e6)
+    return said("{size:.4} MB", size=size / 1e6)
