@@ -19,7 +19,7 @@ import numpy as np
 from benchmarks import duty_sets, life_plain
 from benchmarks.figures import Figure, Findings, alternately, below
 from rolamento.catalogue import Catalogue, ball_sizes, catalogue, inferred_geometry
-from rolamento.life import LifeConditions, life
+from rolamento.life import Life, LifeConditions, life
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Ellipses, risk_integral
 from rolamento.ratings import dynamic_factor, static_factor
 from rolamento.solution import solve
@@ -52,11 +52,11 @@ CONDITIONS: Final = LifeConditions(
 def measure(cases: int, sample: int, repeats: int) -> Findings:
     """All theories but the stress volume; sample: cases of the plain loop."""
     batch = _solved(cases)
-    run = partial(life, batch, CONDITIONS)
+    run = partial(_lives, batch)
     plain = partial(_plain_lives, batch, sample)
     plain()
     seconds, looped = alternately([run, plain], repeats)
-    name = f"life, {len(run().theories)} theories, {cases} solved cases"
+    name = f"life, {len(run())} theories, {cases} solved cases"
     figures = [
         Figure(name, "wall time", seconds, "s", below(SECONDS) if cases >= CASES else None),
         Figure(name, "rate", cases / seconds, "cases/s"),
@@ -72,9 +72,9 @@ def measure_stress_volume(cases: int, sample: int, repeats: int) -> Findings:
     """Ioannides and Harris; sample: contacts that scipy integrates, some seconds each."""
     batch = _solved(cases)
     case = duty_sets.example()
-    run = partial(life, batch, CONDITIONS, stress_volume=True)
+    run = partial(_lives, batch, stress_volume=True)
     run()  # the field, which is computed once in a process
-    without, seconds = alternately([partial(life, batch, CONDITIONS), run], repeats)
+    without, seconds = alternately([partial(_lives, batch), run], repeats)
     name = f"stress volume, {cases} solved cases of 16 balls"
     target = below(SECONDS) if cases >= STRESS_CASES else None
     contacts = cases * 2 * case.bearing.ball_count
@@ -121,6 +121,11 @@ def _solved(cases: int) -> Solved:
     duties = duty_sets.some(duty_sets.tilts_held(duty_sets.CASES), cases)
     duties["inner_speed"] = np.maximum(duties["inner_speed"], 10.0)  # at rest there is no κ
     return solve(duty_sets.example(), **duties)
+
+
+def _lives(solved: Solved, *, stress_volume: bool = False) -> dict[str, Life]:
+    """Lives by all theories: each is evaluated when it is looked up."""
+    return dict(life(solved, CONDITIONS, stress_volume=stress_volume).theories)
 
 
 def _plain_lives(solved: Solved, sample: int) -> list[dict[str, float]]:

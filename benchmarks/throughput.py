@@ -96,20 +96,21 @@ def measure_kernels(cases: int, repeats: int) -> Findings:
 def ball_evaluation(repeats: int, passes: int = 2000) -> float:
     """Nanoseconds for one ball of one case in `lanes.add_moving_ball`, all lanes at work."""
     w, b = _filled_lanes()
+    touch = np.zeros(layout.TOUCH_ROWS * layout.LANES)
 
     def run() -> None:
-        _pass_over_balls.compiled(w, b, passes)
+        _pass_over_balls.compiled(w, b, touch, passes)
 
     run()
     return 1e9 * seconds(run, repeats) / (passes * b.shape[0] * layout.LANES)
 
 
 @shared
-def _pass_over_balls(w: Floats, b: Floats, passes: int) -> None:
+def _pass_over_balls(w: Floats, b: Floats, k: Floats, passes: int) -> None:
     for _ in range(passes):
         lanes.reset_sums(w)
         for j in range(b.shape[0]):
-            lanes.add_moving_ball(w, b[j], 1e-5)
+            lanes.add_moving_ball(w, b[j], k, 1e-5)
 
 
 def _filled_lanes() -> tuple[Floats, Floats]:

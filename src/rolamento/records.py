@@ -4,6 +4,8 @@
 small one stands on one line as a dataclass does; of a large one each field has a line, an array its
 range and shape, and a record within it its beginning. Nothing reads it back.
 
+`Lazily` is what a record holds whose parts take long and are seldom all looked at.
+
 A command makes some 140 classes of records before its first answer. `dataclasses` writes five
 methods for each and has them compiled in every process; here that is one, ``__init__``, and what
 refuses a change, compares and copies is the same for all (decision 53).
@@ -20,7 +22,7 @@ from numbers import Number
 from operator import attrgetter
 from typing import Any, Final, NoReturn, TypeVar, dataclass_transform, overload
 
-__all__ = ["concise", "frozen", "span"]
+__all__ = ["Lazily", "concise", "frozen", "span"]
 
 T = TypeVar("T")
 
@@ -162,6 +164,40 @@ def _init_of(cls: Any, names: dict[str, Any]) -> Callable[..., None]:
     init.__annotations__ = {**{one.name: one.type for one in fields(cls)}, "return": None}
     init.__qualname__ = f"{cls.__qualname__}.__init__"
     return init
+
+
+class Lazily(Mapping[str, T]):
+    """Values by their names, each found when it is first looked up.
+
+    Parameters
+    ----------
+    names
+        In the order in which they stand.
+    find
+        Returns the value of a name.
+    """
+
+    def __init__(self, names: Iterable[str], find: Callable[[str], T]) -> None:
+        self._find = find
+        self._found: dict[str, T | None] = dict.fromkeys(names)
+
+    def __getitem__(self, name: str) -> T:
+        found = self._found[name]
+        if found is None:
+            found = self._found[name] = self._find(name)
+        return found
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __reduce__(self) -> Any:
+        return dict, (dict(self),)  # as it travels: all found, without what that takes
 
 
 def concise(record: Any) -> str:

@@ -27,6 +27,7 @@ from rolamento.words import Note, said
 __all__ = ["solve", "solved_of"]
 
 _TELLS_ANGLE = frozenset({"contact_angle", "diametral_clearance"})
+_GROOVES = ("inner_conformity", "outer_conformity")
 
 
 def solve(
@@ -215,10 +216,17 @@ def _solve_varied(case: Case, given: Mapping[str, FloatArray], threads: int | No
 
 
 def _delivered(solved: Solved, case: Case, given: Mapping[str, ArrayLike]) -> Delivered:
-    """The bearing before its mounting, with the nominal contact angle of every case and row."""
+    """The bearing before its mounting, with the nominal angle and grooves of every case and row."""
     running = solved.rows.free_contact_angle
     angle = running.copy()
+    grooves = {name: np.full_like(running, np.nan) for name in _GROOVES}
     for index, place in enumerate(case.bearing.places):
+        for name, found in grooves.items():
+            varied = (
+                None if name in case.bearing.own_fields(index) else given.get(f"bearing.{name}")
+            )
+            value = getattr(place.bearing, name, np.nan) if varied is None else varied
+            found[:, index] = np.asarray(value, np.float64)
         own = case.bearing.own_fields(index) & _TELLS_ANGLE
         if not own and "bearing.diametral_clearance" in given:
             angle[:, index] = 0.0
@@ -227,7 +235,7 @@ def _delivered(solved: Solved, case: Case, given: Mapping[str, ArrayLike]) -> De
         else:
             angle[:, index] = place.bearing.contact_angle or 0.0
     possible = (angle >= 0.0) & (angle <= 0.5 * np.pi)
-    return Delivered(case, np.where(possible, angle, running))
+    return Delivered(case, np.where(possible, angle, running), **grooves)
 
 
 def _spread_over(cases: int, arrays: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:

@@ -33,7 +33,6 @@ from rolamento.lubrication.film_thickness import (
     replenishment,
     thermal_loading,
 )
-from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.oil import (
     astm_d341,
     astm_d341_line,
@@ -47,6 +46,7 @@ from rolamento.oil import (
     viscosity_index,
     wooster,
 )
+from rolamento.oil.state import viscosity_ratio
 from rolamento.validate import within
 
 numbers = st.one_of(

@@ -111,6 +111,14 @@ def test_what_a_case_lacks_is_noted_and_not_raised(
     assert set(notes) <= {note["key"] for note in mapping["notes"]}
 
 
+def test_a_speed_that_varied_has_its_frequencies() -> None:
+    """The speeds of what was solved count, not those of the case that they went over."""
+    found = analyse("6310", fz=5e3, inner_speed=100.0).frequencies
+    assert found is not None
+    assert found.inner_speed == 100.0
+    assert analyse("6310", fz=5e3).frequencies is None
+
+
 def test_without_a_result_there_is_neither(oiled: Case) -> None:
     load = oiled.duty.load.replace(fx=-20e3)
     analysis = analyse(oiled.replace(duty=oiled.duty.replace(load=load)))

@@ -218,6 +218,19 @@ def test_cases_know_nothing_of_each_other() -> None:
         assert np.array_equal(one.inner.load[0], many.inner.load[case])
 
 
+@pytest.mark.parametrize("designation", ["22220 E", "C 2220"])
+def test_without_an_equilibrium_there_is_no_life(designation: str) -> None:
+    """A ring that no moment can hold has NaN along its rollers, not zero, and no endless life."""
+    solved = ro.solve(designation, fz=[10e3, 10e3], my=[0.0, 10.0], inner_speed=100.0)
+    assert solved.converged.tolist() == [True, False]
+    assert np.isnan(solved.rollers.inner.load_per_length[1]).all()
+    found = ro.rating_life(solved)
+    assert np.isfinite(found.headline.life[0])
+    assert np.isnan(found.headline.life[1])
+    assert np.isnan(found.reference.life[1])
+    assert found.headline.valid.tolist() == [True, False]
+
+
 def test_the_load_has_no_step_where_the_ends_cut_the_ellipse() -> None:
     short = {**SPHERICAL, "effective_length": 0.006}
     depth = np.linspace(20e-6, 60e-6, 400)

@@ -115,3 +115,13 @@ def test_it_is_drawn_on_paper() -> None:
     wide, tall = figure.get_size_inches() * 25.4
     assert wide <= 105.001
     assert tall <= 78.001
+
+
+def test_what_a_drawing_keeps_follows_the_seats() -> None:
+    seats = {"shaft_tolerance": "k5", "housing_tolerance": "H6"}
+    solid, hollow = (
+        drawn("6310", mounting={**seats, **more}) for more in ({}, {"shaft_bore": "20 mm"})
+    )
+    assert len(of(hollow, "shaft")) == 1 + len(of(solid, "shaft"))
+    assert of(hollow, "ring") == of(solid, "ring")
+    assert of(drawn("6310", mounting=seats), "shaft") == of(solid, "shaft")

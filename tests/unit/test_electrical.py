@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento import Case, Electrical
+from rolamento import Case, Electrical, solve
 from rolamento.case import case_of
 from rolamento.electrical import (
     apparent_current_density,
@@ -127,6 +127,18 @@ def test_rollers_have_areas_by_their_slices() -> None:
 def test_a_bearing_at_rest_conducts() -> None:
     found = electrics_of(motor(**{"duty.inner_speed": "0 rpm"}))
     assert "no_film_conducts" in {note.key for note in found.notes}
+
+
+def test_without_an_equilibrium_there_are_no_numbers() -> None:
+    oil = {"lubricant": "ISO VG 100", "temperature.lubricant": "70 degC"}
+    given = {"electrical.voltage": "5 V", "electrical.current": "1 A"}
+    solved = solve(case_of("7210 B", {**oil, **given}), fx=[5e3, -5e3], inner_speed=100.0)
+    found = electrics_of(solved)
+    for race in (found.inner, found.outer):
+        every = (race.total_area, race.capacitance.sum(axis=1), race.current_density)
+        for values in (*every, found.energy, found.capacitance, found.capacitance_of_ellipses):
+            assert np.isfinite(values[0])
+            assert np.isnan(values[1])
 
 
 def test_without_a_lubricant_it_says_what_is_missing() -> None:

@@ -27,7 +27,6 @@ from rolamento.lubrication.film_thickness import (
     replenishment,
     thermal_loading,
 )
-from rolamento.lubrication.oil_state import reference_viscosity, viscosity_ratio
 from rolamento.lubrication.regime import (
     adhesive_wear_by_speed,
     crack_origin,
@@ -36,6 +35,7 @@ from rolamento.lubrication.regime import (
     regime_of,
     regimes,
 )
+from rolamento.oil.state import reference_viscosity, viscosity_ratio
 from rolamento.solution import solve
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"

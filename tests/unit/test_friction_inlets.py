@@ -18,7 +18,6 @@ from rolamento.lubrication.film_thickness import (
     skf_inlet_heating,
     thermal_loading,
 )
-from rolamento.lubrication.films import oil_of
 from rolamento.solution import solve
 from rolamento.solved import RACES
 
@@ -102,7 +101,7 @@ def test_the_resistance_has_the_factors_of_the_film(case: dict[str, Any]) -> Non
     """Contact by contact: Aihara's factor at its own speed, and one of the whole bearing."""
     film = {"starvation": "replenishment", "supply": "oil_air"}
     solved = solve(Case.from_mapping({**case, "film": film}))
-    oil = oil_of(solved)
+    oil = solved.oil
     heat = {name: found(case, **given).heat["rolling_resistance"]
             for name, given in (("bare", {"thermal": "none"}), ("all", film))}  # fmt: skip
     own = analyse(Case.from_mapping({**case, "film": film}))
@@ -146,7 +145,7 @@ def test_k_z_is_of_the_kind_of_bearing() -> None:
         bearing = case.bearing.published
         assert bearing is not None
         left = replenishment(
-            oil_of(solved).kinematic_viscosity, 3000 * RPM, bearing.bore,
+            solved.oil.kinematic_viscosity, 3000 * RPM, bearing.bore,
             bearing.outside_diameter, "bath", kind=constant,
         )  # fmt: skip
         assert np.nanmax(film.inner.starvation_factor) == pytest.approx(float(left[0]))
@@ -190,7 +189,7 @@ def test_a_bound_without_a_designation_rests_on_the_rows() -> None:
     })  # fmt: skip
     own = friction(solve(case), friction_coefficient=0.05, compare=False)
     assert own.upper_bound[0]
-    nu = float(oil_of(solve(case)).kinematic_viscosity[0])
+    nu = float(solve(case).oil.kinematic_viscosity[0])
     lowest = replenishment(nu, 15000 * RPM, pitch - ball, pitch + ball, "bath", kind=4.4)
     known = replenishment(nu, 15000 * RPM, 70e-3, 110e-3, "bath", kind=4.4)
     assert float(lowest) < float(known)

@@ -94,7 +94,7 @@ def test_torque_on_both_rings_is_the_power(thrust: Solved) -> None:
             motion.relative_motion(patch),
             MU,
             rounding=motion.rounding,
-            mesh=ellipse_mesh().folded(),
+            mesh=ellipse_mesh().folded,
         )
     inner, outer = total["inner"], total["outer"]
     np.testing.assert_allclose(inner.race_torque, -outer.race_torque, rtol=1e-6)

@@ -26,7 +26,7 @@ from rolamento.grease import (
 )
 from rolamento.grease.models import MODELS
 from rolamento.lubrication.oil_choice import choose_oil, viscosity_at_40
-from rolamento.lubrication.oil_state import oil_state, viscosity_ratio
+from rolamento.oil.state import oil_state, viscosity_ratio
 from rolamento.studies import Study, run
 from rolamento.tasks.grease import choose_oil_of_case, grease_of_case
 

@@ -20,7 +20,7 @@ from rolamento.heat import (
     heat_balance,
 )
 from rolamento.heat.balance import _Balances
-from rolamento.lubrication.oil_state import oil_state
+from rolamento.oil.state import oil_state
 from rolamento.speeds import reference_heat_flow
 
 RPM = np.pi / 30.0

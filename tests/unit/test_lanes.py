@@ -38,6 +38,8 @@ from rolamento.system import spread
 
 BALLS = 16
 N = layout.LANES
+TOUCH = np.zeros(layout.TOUCH_ROWS * N)
+"""Room for how a ball touches."""
 
 Code = Callable[[Kernel[..., None]], Callable[..., None]]
 AS_WRITTEN = pytest.param(lambda kernel: kernel.python, id="as written")
@@ -98,7 +100,7 @@ def test_moving_balls(code: Code, filled: tuple[np.ndarray, ...]) -> None:
         code(lanes.place_ball)(w, ball)
     code(lanes.reset_sums)(w)
     for ball in b:
-        code(lanes.add_moving_ball)(w, ball, 1e-6)
+        code(lanes.add_moving_ball)(w, ball, TOUCH, 1e-6)
     for lane in range(N):
         pieces, drives = [], []
         for j in range(BALLS):
@@ -174,7 +176,7 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
         code(lanes.place_ball)(w, ball)
     code(lanes.reset_sums)(w)
     for ball in b:
-        code(lanes.add_moving_ball)(w, ball, 1e-6)
+        code(lanes.add_moving_ball)(w, ball, TOUCH, 1e-6)
     code(lanes.step_ring)(w)
     before = b.copy()
     for ball in b:
@@ -199,7 +201,7 @@ def test_steps_of_its_own_bring_a_ball_to_rest(filled: tuple[np.ndarray, ...]) -
     stands = [b.copy()]
     for _ in range(5):
         for ball in b:
-            lanes.settle_ball(w, ball)
+            lanes.settle_ball(w, ball, TOUCH)
         stands.append(b.copy())
     off = np.zeros((len(stands), N, BALLS))
     for lane in range(N):
@@ -242,7 +244,7 @@ def test_a_ball_is_near_enough_where_its_step_leaves_next_to_nothing(
     for ball in b:
         lanes.place_ball(w, ball)
         for _ in range(8):
-            lanes.settle_ball(w, ball)
+            lanes.settle_ball(w, ball, TOUCH)
     for j, ball in enumerate(b):
         push = p[layout.OUTER_LENGTH] * 10.0 ** rng.uniform(-8.0, -4.0, N)
         turn = rng.uniform(0.0, 2.0 * np.pi, N)
@@ -251,10 +253,10 @@ def test_a_ball_is_near_enough_where_its_step_leaves_next_to_nothing(
         )
         fault = w[layout.FAULT * N : (layout.FAULT + 1) * N]
         fault[:] = -np.inf
-        lanes.add_moving_ball(w, ball, 1e-8)
+        lanes.add_moving_ball(w, ball, TOUCH, 1e-8)
         near = np.flatnonzero(fault <= 0.0)
         pushed = [residual(lane, j) for lane in range(N)]
-        lanes.settle_ball(w, ball)
+        lanes.settle_ball(w, ball, TOUCH)
         before += [pushed[lane] for lane in near]
         after += [residual(lane, j) for lane in near]
     assert max(before) > 1e-6

@@ -38,6 +38,29 @@ def test_fits_leave_ratings_and_equivalent_load_alone(designation: str) -> None:
     assert seated.reference.life[0] < free.reference.life[0]
 
 
+@pytest.mark.parametrize("designation", ["S 6012 C", "S 6012 C DB"])
+def test_warm_grooves_are_rated_cold(designation: str) -> None:
+    """Ceramic balls grow less than their grooves: these open when warm, and are rated cold."""
+    own = {"designation": designation, "ball_material": "Si3N4"}
+    own |= {"preload": "150 N"} if "DB" in designation else {}
+    plain = Case.from_mapping({"bearing": own, "duty": _DUTY})
+    hot = {"inner_ring": "90 degC", "outer_ring": "80 degC"}
+    warmed = {"bearing": own, "duty": _DUTY, "mounting": _FITS, "temperature": hot}
+    mounted = Case.from_mapping(warmed)
+    cold, *warm = (
+        solve(plain),
+        solve(mounted),
+        solve(mounted, fz=[400.0, 500.0]),
+        solve(mounted, {"bearing.inner_conformity": np.array([0.52])}),
+    )
+    expected = Basis.of(cold, conditions_of(cold)).ratings
+    for solved in warm:
+        found = Basis.of(solved, conditions_of(solved)).ratings
+        for name in ("dynamic_of_set", "static_of_set"):
+            rated = getattr(found, name)
+            np.testing.assert_allclose(rated, getattr(expected, name)[0], rtol=1e-3, err_msg=name)
+
+
 @pytest.mark.parametrize("designation", ["7014C", "7014C DB L"])
 def test_a_batch_is_rated_as_its_cases_alone(designation: str) -> None:
     case = _case(designation, mounted=True)

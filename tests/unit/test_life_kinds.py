@@ -159,3 +159,25 @@ def test_friction_models_of_lubricated_bearings_take_the_kinds(designation: str)
     assert {"palmgren", "skf"} <= models.keys()
     totals = [float(models[name].total[0]) for name in ("palmgren", "skf")]
     assert 0.4 < totals[0] / totals[1] < 2.5
+
+
+@pytest.mark.parametrize(
+    ("kind", "angle", "most"),
+    [("thrust", "90 deg", 0.54), ("thrust", "60 deg", 0.54), ("", "40 deg", 0.53)],
+)
+def test_ratings_have_no_step_where_grooves_open(kind: str, angle: str, most: float) -> None:
+    """C and C_0 fall from the conformity on up to which the tables hold, without a step."""
+
+    def rated(conformity: float) -> tuple[float, float]:
+        own = {"ball_count": 15, "ball_diameter": "11 mm", "pitch_diameter": "65 mm"}
+        own |= {"contact_angle": angle} | ({"kind": kind} if kind else {})
+        grooves = {"inner_conformity": conformity if kind else min(conformity, 0.52)}
+        grooves["outer_conformity"] = conformity
+        bearing = Case(bearing=own | grooves, duty={"load": {"fx": "5 kN"}})
+        found = life(solve(bearing)).ratings
+        return float(found.dynamic[0, 0]), float(found.static[0, 0])
+
+    inside, edge, beyond = rated(most - 1e-6), rated(most + 1e-6), rated(most + 0.01)
+    assert edge == pytest.approx(inside, rel=1e-4)
+    assert beyond[0] < 0.995 * inside[0]
+    assert beyond[1] <= inside[1]

@@ -22,7 +22,7 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.record import OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.lubrication import film as film_of
-from rolamento.lubrication.oil_state import viscosity_ratio
+from rolamento.oil.state import viscosity_ratio
 from rolamento.solution import solve
 from rolamento.words.sentences import sentences
 from rolamento.words.theories import theory_heads, theory_life, theory_name, theory_scope

@@ -13,7 +13,7 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import InputError
-from rolamento.lubrication.oil_state import oil_density, oil_state
+from rolamento.oil.state import oil_density, oil_state
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "src" / "rolamento" / "examples"
 SHEET: dict[str, Any] = {

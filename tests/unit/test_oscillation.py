@@ -259,6 +259,16 @@ def test_the_command() -> None:
     assert run(app, ["oscillation", "6310", "--fr", "5 kN"]).exit_code == 2
 
 
+@pytest.mark.parametrize("name", ["6310", "NU 210"])
+def test_what_varied_loads_the_case_too(name: str) -> None:
+    """A duty given to `solve` has the life of the same duty in the case itself."""
+    own = oscillation_life(solve(load_case(name, {"duty.load.fz": "5 kN"})), 2.0, 2.0)
+    varied = oscillation_life(solve(name, fz=5e3), 2.0, 2.0)
+    assert own.window[0] > 1.05
+    assert varied.window[0] == pytest.approx(own.window[0], rel=1e-9)
+    assert varied.life == pytest.approx(own.life, rel=1e-9)
+
+
 def test_a_study_has_the_life_of_each_case() -> None:
     swing = {"angle": "90 deg", "frequency": "2 Hz"}
     case = Case(bearing="6310", duty={"load": {"fz": "5 kN"}, "oscillation": swing})

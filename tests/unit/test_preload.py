@@ -395,3 +395,36 @@ def test_a_plain_bearing_and_a_tandem_have_no_preload() -> None:
     tandem = state_of(pair(None, "DT"), fx=500.0)
     assert tandem.preload is None
     assert tandem.to_mapping()["preload"] is None
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"duty.inner_speed": "9000 rpm"},
+        {"bearing.preload.force": "400 N"},
+        {"bearing.ball_diameter": "9.0 mm"},
+        {"bearing.ball_material": "Si3N4"},
+        {"model.raceway_control": "none"},
+    ],
+)
+def test_a_kept_preload_is_that_of_its_case_alone(change: dict[str, str]) -> None:
+    tables = {
+        "bearing": {**SPINDLE, "arrangement": "DB", "spacing": "18 mm",
+                    "preload": {"force": "300 N"}},
+        "duty": {"inner_speed": "12000 rpm", "load": {"fx": "100 N"}},
+    }  # fmt: skip
+    case = Case.from_mapping(tables)
+
+    def forces(of: Case) -> tuple[float, float]:
+        found = search.preload_of(of, loss=False)
+        assert found is not None
+        return found.at_rest, found.at_speed
+
+    first = forces(case)
+    assert forces(case.with_(fx="250 N")) == first  # whatever the load
+    changed = case.with_(change)
+    kept = forces(changed)
+    assert kept != first
+    search._forces.cache_clear()
+    assert forces(changed) == kept
+    assert forces(case) == first

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import rolamento as ro
-from rolamento.records import concise, frozen, span
+from rolamento.records import Lazily, concise, frozen, span
 
 OIL: dict[str, Any] = {"lubricant": "ISO VG 68", "temperature": "70 degC"}
 
@@ -280,3 +280,24 @@ def test_a_record_of_a_script_outlives_its_run(tmp_path: Path) -> None:
     )
     pair = runpy.run_path(str(script), run_name="script")["Pair"]
     assert pair(1).second == 2
+
+
+def test_what_is_looked_up_is_found_once_and_travels_whole() -> None:
+    found: list[str] = []
+
+    def find(name: str) -> int:
+        found.append(name)
+        return len(name)
+
+    lazily = Lazily(("outer", "ring"), find)
+    assert "ring" in lazily
+    assert "race" not in lazily
+    assert [*lazily] == ["outer", "ring"]
+    assert len(lazily) == 2
+    assert not found  # nobody has looked
+    assert lazily["ring"] == lazily.get("ring") == 4
+    assert found == ["ring"]
+    with pytest.raises(KeyError):
+        lazily["race"]
+    assert pickle.loads(pickle.dumps(lazily)) == {"outer": 5, "ring": 4}
+    assert found == ["ring", "outer"]

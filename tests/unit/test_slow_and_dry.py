@@ -65,7 +65,7 @@ def test_space_lubricants_are_known_by_name(name: str, kind: str) -> None:
 
 def test_fomblin_has_the_viscosity_of_nasas_table_at_20_degrees() -> None:
     """255 mm²/s at 20 °C: Jones and Jansen; here from 40 and 100 °C by ASTM D341."""
-    from rolamento.lubrication.oil_state import oil_state
+    from rolamento.oil.state import oil_state
 
     state = oil_state(Lubricant.named("Fomblin Z25"), 293.15)
     assert 1e6 * float(state.kinematic_viscosity) == pytest.approx(255.0, rel=0.15)

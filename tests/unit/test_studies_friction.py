@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from rolamento import Case, InputError, Lubricant, analyse, load_case
-from rolamento.friction.model import bears_on_both
 from rolamento.friction.slip import (
     Patch,
     fast_maximum_pressure_slip,
@@ -115,7 +114,7 @@ def test_pressure_times_slip_is_that_of_the_whole_ellipse(case_218: Case, race: 
         )
     )
     # a ball that does not touch both races loses nothing there
-    expected = np.where(bears_on_both(solved), whole, 0.0)
+    expected = np.where(solved.balls_bear, whole, 0.0)
     np.testing.assert_allclose(found[f"{race}_pressure_slip"], expected, rtol=1e-6, atol=1e-3)
 
 

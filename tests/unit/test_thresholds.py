@@ -25,7 +25,6 @@ from rolamento.friction.bounds import upper_bounds
 from rolamento.friction.model import Setting, inertia_counts
 from rolamento.life import LifeSummary, life
 from rolamento.lubrication.film_thickness import aihara, thermal_loading
-from rolamento.lubrication.films import oil_of
 from rolamento.solved.notes import notes_on
 from rolamento.weibull import LifeTest, maximum_likelihood
 from rolamento.weibull.drawing import Drawing
@@ -451,7 +450,7 @@ def test_a_bound_is_told_where_it_may_take_a_twentieth(
 ) -> None:
     """Of heat in the inlets, which leaves φ of Aihara: 0.05 of the torque is (1 - φ) of theirs."""
     solved, _ = turning
-    oil = oil_of(solved)
+    oil = solved.oil
     fastest = max(np.abs(race.entrainment).max() for race in (solved.inner, solved.outer))
     left = aihara(
         thermal_loading(
@@ -508,8 +507,7 @@ def test_an_oil_is_thin_below_a_product_of_two_thousand() -> None:
 def test_balls_under_a_twentieth_of_the_load_are_not_judged(load: float, counts: bool) -> None:
     """A ball that hardly bears has much inertia for its load, and next to no friction."""
     solved: Any = SimpleNamespace(
-        loaded=np.array([[True, True]]),
-        rows=SimpleNamespace(element=("ball",), row_of_element=np.array([0, 0])),
+        balls_bear=np.array([[True, True]]),
         elements=SimpleNamespace(
             gyroscopic_moment=np.zeros((1, 2)), centrifugal_force=np.array([[1.0, 1.0]])
         ),

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from rolamento import load_case
 from rolamento.friction.palmgren import palmgren
 from rolamento.heat import CONDUCTANCES, heat_balance
-from rolamento.lubrication.oil_state import oil_state
+from rolamento.oil.state import oil_state
 
 SPEED = 3000.0 * np.pi / 30.0
 LOAD = 10e3

@@ -16,7 +16,7 @@ from rolamento.life.load_zone import (
     load_zone,
     zone_life,
 )
-from rolamento.lubrication.oil_state import viscosity_ratio
+from rolamento.oil.state import viscosity_ratio
 from rolamento.ratings import (
     dynamic_factor,
     dynamic_factor_of_grooves,

@@ -251,8 +251,8 @@ def test_permissible_axial_load_of_ribs() -> None:
     ]
     assert nsk == pytest.approx(
         [
-            9.8 * (490 * 2500 / 2000 - 0.023 * 50**2.5),
-            9.8 * (900 * 2500 / 2500 - 0.000135 * 50**3.4),
+            9.8 * (900 * 2500 / 2500 - 0.023 * 50**2.5),
+            9.8 * (490 * 2500 / 2000 - 0.000135 * 50**3.4),
         ]
     )
     assert float(permissible_axial_load_nsk(0.05, 1e4, 3)) == 0.0

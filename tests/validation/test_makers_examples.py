@@ -18,7 +18,7 @@ from rolamento.life.equivalent_load import equivalent_load, load_factors
 from rolamento.life.iso281 import basic_rating_life, hours
 from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.life.spectrum import shaft_life
-from rolamento.lubrication.oil_state import reference_viscosity
+from rolamento.oil.state import reference_viscosity
 from rolamento.solution import solve
 from rolamento.units import RPM
 from rolamento.verification import Check

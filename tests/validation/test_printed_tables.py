@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rolamento.case import case_of
 from rolamento.clearance import class_clearance
 from rolamento.friction.palmgren import friction_load, load_torque, palmgren, rib_torque
 from rolamento.friction.skf import (
@@ -264,10 +265,36 @@ def test_ribs_do_not_break_and_half_of_the_radial_load_is_the_limit() -> None:
 def test_permissible_axial_load_of_nsk(series: int, k: float) -> None:
     """NSK, Rolling Bearings (CAT. No. E1102e), 5.6, page A33: equations 5.34 and 5.35."""
     kd, n = 60.0 * k, 1500.0
-    grease = 9.8 * (490.0 * kd**2 / (n + 1000.0) - 0.023 * kd**2.5)
-    oil = 9.8 * (900.0 * kd**2 / (n + 1500.0) - 0.000135 * kd**3.4)
+    grease = 9.8 * (900.0 * kd**2 / (n + 1500.0) - 0.023 * kd**2.5)
+    oil = 9.8 * (490.0 * kd**2 / (n + 1000.0) - 0.000135 * kd**3.4)
     assert permissible_axial_load_nsk(0.06, n * RPM, series) == pytest.approx(grease)
     assert permissible_axial_load_nsk(0.06, n * RPM, series, "oil") == pytest.approx(oil)
+
+
+@pytest.mark.parametrize("bore", [40, 50, 60, 70, 80, 100])
+def test_makers_agree_on_ribs(bore: int) -> None:
+    """NJ 3 of NSK's list (E1102, with limiting speeds): NSK's and SKF's rules side by side.
+
+    This tells which of NSK's two fractions is of which lubricant. At 0.4 of the limit with oil both
+    makers permit the same within a factor of 3; with the fractions exchanged no greased bearing
+    could carry anything there. At rest, where only the strength of the rib is left, both lubricants
+    permit alike; exchanged, oil permits 1.6 to 2 times as much.
+    """
+    found = case_of(f"NJ 3{bore // 5:02d}").bearing.published
+    assert found is not None
+    d, outside, width = (1e3 * size for size in (found.bore, found.outside_diameter, found.width))
+    rating, speed = 1e-3 * found.static_rating, 0.4 * found.limiting_speed
+    large = pi * width * (d + outside) > 50_000.0
+    strength = 7.5 * rating ** (2.0 / 3.0) if large else rating
+    for lubricant, k_1 in (("grease", 1.0), ("oil", 1.5)):
+        skf = 1e3 * k_1 * strength * 1e4 / (speed / RPM * (d + outside))
+        nsk = permissible_axial_load_nsk(found.bore, speed, 3, lubricant)  # type: ignore[arg-type]
+        assert 1.0 / 3.0 < float(nsk) / skf < 3.0
+    grease, oil = (
+        float(permissible_axial_load_nsk(found.bore, 0.0, 3, name))  # type: ignore[arg-type]
+        for name in ("grease", "oil")
+    )
+    assert oil == pytest.approx(1.05 * grease, rel=0.06)
 
 
 # --- life: contamination, modification, equivalent loads ------------------------------------------

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rolamento import Case, solve
 from rolamento.case import case_of
 from rolamento.io.data import toml_of
 from rolamento.safety import recommended_safety, static_safety_of
@@ -75,3 +76,29 @@ def test_c_0_loads_the_heaviest_contact_to_about_the_limit(designation: str) -> 
     found = static_safety_of(case.with_(**{"fx" if axial else "fz": rating}))
     assert found.safety[0, 0] == pytest.approx(1.0, rel=1e-6)
     assert 0.75 < found.minimum("stress")[0] < 1.4
+
+
+@pytest.mark.parametrize("conformity", [0.53, 0.54, 0.56])
+@pytest.mark.parametrize(
+    "bearing",
+    [
+        {"ball_count": 12, "contact_angle": "25 deg"},
+        {"ball_count": 8, "diametral_clearance": "0.1 um"},
+        {"kind": "thrust", "ball_count": 15, "contact_angle": "90 deg"},
+    ],
+)
+def test_open_grooves_have_less_c_0(bearing: dict[str, object], conformity: float) -> None:
+    """ISO 76:2006, 5.1: for groove radii above 0.52 D and 0.53 D (thrust: 0.54 D) f_0 is reduced.
+
+    By how much is what C_0 means: the load under which the heaviest contact has 4200 MPa. So the
+    safety of that contact by its pressure is the one by its load, whatever the grooves are.
+    """
+    own = {"ball_diameter": "12 mm", "pitch_diameter": "65 mm", **bearing}
+    own |= {"inner_conformity": conformity, "outer_conformity": conformity}
+    load = {"fz": "3 kN"} if "diametral_clearance" in bearing else {"fx": "3 kN"}
+    found = static_safety_of(solve(Case(bearing=own, duty={"load": load})))
+    closest = conformity >= 0.54 or "kind" not in bearing
+    if closest:
+        assert found.minimum("stress")[0] == pytest.approx(found.minimum("load")[0], rel=0.02)
+    else:  # the table's own grooves are more open: closer ones get no credit
+        assert found.minimum("stress")[0] > found.minimum("load")[0]

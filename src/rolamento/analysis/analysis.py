@@ -81,8 +81,8 @@ class Analysis:
     @cached_property
     def frequencies(self) -> FaultFrequencies | None:
         """Fault frequencies of a single case under load; None without a result, or at rest."""
-        duty = self.solved.case.duty
-        if not self.solved.converged[0] or duty.inner_speed == duty.outer_speed:
+        inner, outer = (self.solved.field(f"duty.{ring}_speed")[0] for ring in ("inner", "outer"))
+        if not self.solved.converged[0] or inner == outer:
             return None
         from rolamento.vibration.frequencies import frequencies_of
 

@@ -20,7 +20,7 @@ from rolamento.friction.palmgren import constants_by_type, friction_load
 from rolamento.io.json import plain
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
-from rolamento.lubrication.oil_state import oil_state
+from rolamento.oil.state import oil_state
 from rolamento.ratings import (
     dynamic_rating,
     rated_as,
@@ -329,6 +329,15 @@ def limiting_speeds(case: Case) -> tuple[SpeedLimit, ...]:
     ------
     InputError
         If different elements roll in the rows.
+    """
+    return _limits_of_any_load(case.without_load, frozenset(case.bearing.model_fields_set))
+
+
+@lru_cache(maxsize=64)
+def _limits_of_any_load(case: Case, given: frozenset[str]) -> tuple[SpeedLimit, ...]:
+    """Found once, while the load changes.
+
+    given: the bearing's own fields, which cases that are equal may differ in.
     """
     return _Asked(case, _boundary(case), None).of_any_load()
 

@@ -9,7 +9,7 @@ from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_val
 
 from rolamento.case.arrangement import designation_of
 from rolamento.case.bearing import Bearing
-from rolamento.case.duty import SHORT_NAMES, Duty
+from rolamento.case.duty import SHORT_NAMES, Displacement, Duty, Load
 from rolamento.case.electrical import Electrical
 from rolamento.case.fields import Changes, changed, fields_of, read_changed, values_of
 from rolamento.case.fields import Field as CaseField
@@ -18,7 +18,7 @@ from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.losses import Losses
-from rolamento.case.lubricant import LubricantField
+from rolamento.case.lubricant import Lubricant, LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
 from rolamento.case.quantity import AT_THE_BORDER, InSI, Line
@@ -55,6 +55,7 @@ __all__ = [
     "case_to_toml",
     "is_designation",
     "load_case",
+    "lubricant_of",
     "name_of",
     "override",
     "parse_case",
@@ -202,6 +203,12 @@ class Case(Record):
     def lubricant_temperature(self) -> float | None:
         """Temperature of the lubricant in K, if it is given."""
         return None if self.temperature is None else self.temperature.lubricant
+
+    @property
+    def without_load(self) -> "Case":
+        """The case with nothing acting from outside: its speeds, and where its elements begin."""
+        free = {"load": Load.model_construct(), "displacement": Displacement.model_construct()}
+        return self.model_copy(update={"duty": self.duty.model_copy(update=free)})
 
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:
@@ -428,6 +435,26 @@ def case_of(source: BearingLike, changes: Changes = ()) -> Case:
             example='"6310/C3"',
         )
     return override(source, changes) if changes else source
+
+
+def lubricant_of(case: Case) -> Lubricant:
+    """Return the lubricant of a case.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+    """
+    if case.lubricant is None:
+        raise InputError(
+            said(
+                "is missing: without a lubricant or a coefficient of friction there is "
+                "no film and no friction"
+            ),
+            field="lubricant",
+            example='lubricant = "ISO VG 68"',
+        )
+    return case.lubricant
 
 
 def is_designation(name: object, folder: str | os.PathLike[str] = "") -> bool:

@@ -15,7 +15,6 @@ from rolamento.units import readable
 from rolamento.words import marked, said
 
 __all__ = [
-    "DEFAULT_CONDUCTIVITY",
     "Lubricant",
     "LubricantField",
     "OilType",
@@ -26,9 +25,6 @@ __all__ = [
 Kind = Literal["oil", "grease", "dry"]
 OilType = Literal["mineral", "synthetic", "transmission_fluid"]
 PressureViscosityMethod = Literal["wooster", "so_klaus"]
-
-DEFAULT_CONDUCTIVITY: Final = 0.145
-"""W/(m·K): usual of mineral oils, which are alike in this."""
 
 _EXAMPLE: Final = "ISO VG 68"
 _TWO_POINTS: Final = (

@@ -28,7 +28,7 @@ from rolamento.charts.texts import number
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.geometry import Race
 from rolamento.solved import RACES, Solved
-from rolamento.solved.notes import are_rollers, pressure_limit
+from rolamento.solved.notes import pressure_limit
 from rolamento.words import said
 
 __all__ = [
@@ -105,7 +105,7 @@ def limit_marks(solved: Iterable[Solved], largest: float) -> list[Mark]:
     """Return the limits of pressure (Pa) that the largest comes near."""
     limits = set()
     for one in solved:
-        rollers = are_rollers(one)
+        rollers = one.are_rollers
         limits |= {PRESSURE_LIMIT} if rollers.any() else set()
         limits |= set() if rollers.all() else {pressure_limit(one.case)}
     return [

@@ -242,10 +242,10 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
     permittivity = given.permittivity or float(data["permittivity"]["oil"])
     area: dict[Race, FloatArray] = {race: _area(solved, race) for race in RACES}
     both = (area["inner"] > 0.0) & (area["outer"] > 0.0)
+    conducting = {race: np.where(both | np.isnan(area[race]), area[race], 0.0) for race in RACES}
     thickness: dict[Race, FloatArray] = {race: films.of(race).central_thickness for race in RACES}
     plain = {
-        race: film_capacitance(np.where(both, area[race], 0.0), thickness[race], permittivity)
-        for race in RACES
+        race: film_capacitance(conducting[race], thickness[race], permittivity) for race in RACES
     }
     whole = {race: given.outside_factor * plain[race] for race in RACES}
     voltage = np.nan if given.voltage is None else given.voltage
@@ -258,7 +258,7 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
     races: dict[Race, RaceElectrics] = {}
     for race in RACES:
         across = shares[race] * voltage
-        total = np.where(both, area[race], 0.0).sum(axis=1)
+        total = conducting[race].sum(axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             field = across / thickness[race]
             density = np.where(total > 0.0, apparent_current_density(current, total), np.nan)
@@ -269,7 +269,6 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
     bands = _bands("breakdown")
     lowest = np.fmin(*(_minimum_over(shares[r], films.of(r).minimum_thickness) for r in RACES))
     ends = np.array([[band.low, band.high] for band in bands])
-    converged = solved.converged
     balls = solved.rows.per_element(solved.rows.ball_diameter)
     slab = VACUUM * float(data["permittivity"]["ceramic"]) * np.pi * balls / 4.0
     return BearingElectrics(
@@ -277,9 +276,9 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
         given,
         races["inner"],
         races["outer"],
-        np.where(converged, capacitance, np.nan),
-        np.where(converged, capacitance / given.outside_factor, np.nan),
-        np.where(converged, slab.sum(axis=1), np.nan),
+        capacitance,
+        capacitance / given.outside_factor,
+        np.where(solved.converged, slab.sum(axis=1), np.nan),
         _insulated(solved),
         ends[:, :, np.newaxis] * lowest,
         0.5 * capacitance * voltage**2,

@@ -11,10 +11,10 @@ from typing import Final
 import numpy as np
 
 from rolamento.case.film_model import FilmModel, Supply
-from rolamento.friction.model import Setting, relative_speed, rollers_bear
+from rolamento.friction.model import Setting
 from rolamento.friction.rollers import RollerShape, rib_film_parameter
 from rolamento.lubrication.film_thickness import aihara, replenishment, thermal_loading
-from rolamento.lubrication.films import film, has_film, oil_of, refilled_kind
+from rolamento.lubrication.films import film, has_film, refilled_kind
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import RACES, Solved
 
@@ -70,7 +70,7 @@ def _refilled(solved: Solved, model: FilmModel) -> FloatArray:
     case, lubricant = solved.case, solved.case.lubricant
     grease = lubricant is not None and lubricant.kind == "grease"
     supply: Supply = model.supply or ("grease" if grease else "bath")
-    speed, oil = np.abs(relative_speed(solved)), oil_of(solved)
+    speed, oil = solved.relative_speed, solved.oil
     published = case.bearing.published
     if model.bore is not None and model.outside_diameter is not None:
         sizes = [(np.asarray(model.bore), np.asarray(model.outside_diameter))]
@@ -99,7 +99,7 @@ def _thinned(solved: Solved) -> FloatArray:
 
 def _heated(solved: Solved) -> FloatArray:
     """What the heat would leave of the resistance at the fastest contact; (cases,)."""
-    oil = oil_of(solved)
+    oil = solved.oil
     speeds = np.hstack([np.abs(solved.contacts[race].entrainment) for race in RACES])
     fastest: FloatArray = np.fmax.reduce(speeds, axis=1)
     loading = thermal_loading(
@@ -114,5 +114,5 @@ def _ribs_known(setting: Setting) -> FloatArray:
     assert solved.rollers is not None
     parameter = rib_film_parameter(setting, RollerShape.of(solved))
     with np.errstate(invalid="ignore"):
-        presses = rollers_bear(solved) & (np.abs(solved.rollers.rib_force) > 0.0)
+        presses = solved.rollers_bear & (np.abs(solved.rollers.rib_force) > 0.0)
     return np.where(np.any(presses & np.isnan(parameter), axis=1), 0.0, 1.0)

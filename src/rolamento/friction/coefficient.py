@@ -19,8 +19,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.case.case import lubricant_of
 from rolamento.io.data import toml_of
-from rolamento.lubrication.films import lubricant_of, oil_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Solved
@@ -123,8 +123,8 @@ def coefficient_by_regime(solved: Solved) -> tuple[Coefficient, Coefficient, Coe
     minimum of the source's values, and their maximum: 0.12 to 0.15, of balls in mineral and
     synthetic oils 0.04 to 0.05, of rollers 0.002 to 0.02.
     """
-    rows, oil = solved.rows, oil_of(solved)
-    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    rows, oil = solved.rows, solved.oil
+    speed = solved.relative_speed
     part = boundary_share(
         oil.kinematic_viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter
     )

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.friction import free_ball
-from rolamento.friction.model import ContactLoss, bears_on_both, has_result
+from rolamento.friction.model import ContactLoss, has_result
 from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
 from rolamento.friction.slip import slip_velocity as slip_at
 from rolamento.friction.traction import EllipseMesh, contact_friction, ellipse_mesh
@@ -93,7 +93,7 @@ def loaded_contacts(solved: Solved) -> tuple[Patch, Patch, BoolArray]:
     Returns those of the inner and of the outer race, arrays (loaded,), and which of
     (cases, elements) they are.
     """
-    chosen = bears_on_both(solved)
+    chosen = solved.balls_bear
     inner, outer = (_picked(Patch.of(race), chosen) for race in solved.contacts.values())
     return inner, outer, chosen
 
@@ -122,7 +122,7 @@ def minimum_power_losses(
     losses = {name: ContactLoss(*np.zeros((2, *chosen.shape))) for name in ("spin", "rolling_slip")}
     if not np.any(chosen):
         return losses, has_result(solved), None
-    mesh = mesh.folded()  # nothing tumbles, so the power is even along rolling
+    mesh = mesh.folded  # nothing tumbles, so the power is even along rolling
     found = minimum_power_motion(inner, outer, start_of(motion, chosen), directions[chosen], mesh)
     coefficient = np.broadcast_to(mu, chosen.shape)[chosen]
     for patch, sharp in ((inner, found.inner), (outer, found.outer)):
@@ -176,7 +176,7 @@ def minimum_power_motion(
 
     fine = mesh.rows
     # one row stays one: it is the model of no slip across rolling
-    coarse = ellipse_mesh(COARSE_PLACES, min(3, len(fine[1]))).folded()
+    coarse = ellipse_mesh(COARSE_PLACES, min(3, len(fine[1]))).folded
     contacts = np.stack([contact_numbers(patch) for patch in (inner, outer)])
     share_out(
         free_ball.move_free_balls, run, balls, chunk=max(balls, 1), threads=1, little=balls <= FEW

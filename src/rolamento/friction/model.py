@@ -126,7 +126,7 @@ def torque_of_losses(
     unit = {name: loss.scaled(marked) for name, loss in losses.items()}
     parts = {name: loss.total for name, loss in unit.items()}
     total = np.sum(list(parts.values()), axis=0)
-    speed = np.abs(relative_speed(solved))
+    speed = solved.relative_speed
     heat = {name: loss.scaled(speed[:, np.newaxis]) for name, loss in unit.items()}
     return Torque(model, total, parts, total * speed, fine, heat)
 
@@ -223,11 +223,11 @@ class Setting:
     @property
     def friction_coefficient(self) -> FloatArray:
         """μ between elements and races, of a set of balls and rollers that of balls; (cases, 1)."""
-        if rolls_on_lines(self.solved).all():
+        if self.solved.are_rollers.all():
             return self.coefficient.rollers[:, :1]
         return self.coefficient.balls
 
-    @property
+    @cached_property
     def regime(self) -> NDArray[np.str_]:
         """Regime of lubrication, (cases,): see `film_regime`."""
         if self.film_parameter is None:
@@ -317,7 +317,7 @@ def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> M
     limits = {
         **model.limits(setting),
         **({"more_contacts": touches_both_arcs(setting.solved)} if model.of_contacts else {}),
-        "torque_at_rest": relative_speed(setting.solved) == 0.0,
+        "torque_at_rest": setting.solved.relative_speed == 0.0,
         "torque_unknown": ~converged,
     }
     refused = [where for name, where in limits.items() if name not in REMARKS]
@@ -371,45 +371,19 @@ def inertia_counts(solved: Solved, coefficient: FloatArray) -> BoolArray:
         turned = demand > INERTIA_SHARE * coefficient
         thrown = elements.centrifugal_force > INERTIA_SHARE * inner.load
         heaviest = np.max(inner.load, axis=-1, keepdims=True)
-        counted = bears_on_both(solved) & (inner.load > COUNTED_LOAD * heaviest)
+        counted = solved.balls_bear & (inner.load > COUNTED_LOAD * heaviest)
     return np.asarray(np.any(counted & (turned | thrown), axis=-1))
 
 
 # --- what models read of solved cases ---------------------------------------------------------
 
 
-def bears_on_both(solved: Solved) -> BoolArray:
-    """(cases, elements): whether a ball bears on both races."""
-    return np.asarray(_bears(solved) & ~rolls_on_lines(solved))
-
-
-def rollers_bear(solved: Solved) -> BoolArray:
-    """(cases, elements): whether a roller bears on both races."""
-    return np.asarray(_bears(solved) & rolls_on_lines(solved))
-
-
-def rolls_on_lines(solved: Solved) -> BoolArray:
-    """(elements,): which elements are rollers."""
-    rollers = np.array([element != "ball" for element in solved.rows.element])
-    return np.asarray(rollers[solved.rows.row_of_element])
-
-
-def _bears(solved: Solved) -> BoolArray:
-    with np.errstate(invalid="ignore"):
-        return np.asarray(solved.loaded & (solved.outer.load > 0.0))
-
-
 def has_result(solved: Solved) -> BoolArray:
     """(cases,): whether a case has a result, with ellipses narrower than the balls."""
     with np.errstate(invalid="ignore"):
         inner, outer = (2.0 * r.semi_major < r.ball_diameter for r in solved.contacts.values())
-    fine = np.isfinite(solved.outer.load) & (inner & outer | ~bears_on_both(solved))
+    fine = np.isfinite(solved.outer.load) & (inner & outer | ~solved.balls_bear)
     return np.asarray(np.all(fine, axis=-1))
-
-
-def relative_speed(solved: Solved) -> FloatArray:
-    """(cases,): of the inner ring to the outer; rad/s."""
-    return np.asarray(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
 
 
 def bearing_load(solved: Solved, machine: MachineBearing) -> tuple[FloatArray, FloatArray]:
@@ -463,7 +437,7 @@ def loss_at_rates(
     outer_rate: FloatArray,
 ) -> ContactLoss:
     """What a moment in every contact of the loaded balls takes at the rates (cases, elements)."""
-    loaded = bears_on_both(solved)
+    loaded = solved.balls_bear
     return ContactLoss(
         *(
             np.where(loaded, moment(race) * np.abs(rate), 0.0)

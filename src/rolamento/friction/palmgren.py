@@ -31,7 +31,6 @@ from rolamento.friction.model import (
     added,
     bearing_load,
     limits_of_lubricated_bearings,
-    relative_speed,
     torque_of_parts,
 )
 from rolamento.io.data import toml_of
@@ -230,7 +229,7 @@ def _of_machine(setting: Setting, machine: MachineBearing) -> Torque:
     return palmgren(
         kind=machine.kind,
         lubrication=machine.lubrication,
-        speed=relative_speed(setting.solved),
+        speed=setting.solved.relative_speed,
         mean_diameter=machine.mean_diameter,
         kinematic_viscosity=machine.kinematic_viscosity,
         radial_load=radial,

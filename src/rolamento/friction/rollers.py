@@ -32,14 +32,12 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
-    relative_speed,
-    rollers_bear,
     torque_of_losses,
 )
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, RibMotion, rib_motion, roller_motion
 from rolamento.lubrication.film_thickness import film_groups, minimum_film
-from rolamento.lubrication.films import has_film, oil_of, resistance_left
+from rolamento.lubrication.films import has_film, resistance_left
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.solved import RACES, Solved
@@ -161,11 +159,11 @@ def rib_film_parameter(setting: Setting, shape: RollerShape) -> FloatArray:
     assert solved.rollers is not None
     if surface is None or not has_film(solved):
         return unknown
-    oil = oil_of(solved).columns()
+    oil = solved.oil.columns()
     along, across = shape.rib_curvature
-    speed = np.abs(relative_speed(solved))[:, np.newaxis]
+    speed = solved.relative_speed[:, np.newaxis]
     force = np.abs(solved.rollers.rib_force)
-    known = rollers_bear(solved) & (force > 0.0) & (along > 0.0)
+    known = solved.rollers_bear & (force > 0.0) & (along > 0.0)
     ellipticity = np.where(known, 1.03 * (along / across) ** 0.64, np.nan)
     groups = film_groups(
         np.where(known, shape.rib("inner").entrainment * speed, np.nan),
@@ -190,7 +188,7 @@ def roller_sliding(
     solved = setting.solved
     rollers = solved.rollers
     assert rollers is not None
-    shape, loaded = RollerShape.of(solved), rollers_bear(solved)
+    shape, loaded = RollerShape.of(solved), solved.rollers_bear
     mu = setting.coefficient.rollers
     at_rib = coefficient
     if at_rib is None:
@@ -256,12 +254,12 @@ def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
     if not has_film(solved):
         nothing = np.zeros(solved.inner.load.shape)
         return ContactLoss(nothing, nothing)
-    oil = oil_of(solved).columns()
+    oil = solved.oil.columns()
 
     def of_race(race: Race) -> FloatArray:
         contacts = solved.contacts[race]
         speed = np.abs(contacts.entrainment)
-        bears = rollers_bear(solved)
+        bears = solved.rollers_bear
         u = np.where(bears, speed, 0.0)
 
         def force(line: Line) -> FloatArray:
@@ -286,7 +284,7 @@ def _along(
     assert solved.rollers is not None
     line = getattr(solved.rollers, race)
     width = solved.rows.per_element(solved.rows.effective_length) / solved.rollers.slices
-    bears = rollers_bear(solved)
+    bears = solved.rollers_bear
     whole = np.nansum(np.where(bears[..., np.newaxis], per_length(line), 0.0), axis=-1)
     return np.asarray(np.where(bears, whole * width * np.abs(rate), 0.0))
 
@@ -303,7 +301,7 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
     solved = setting.solved
     rollers = solved.rollers
     assert rollers is not None
-    shape, bears = RollerShape.of(solved), rollers_bear(solved)
+    shape, bears = RollerShape.of(solved), solved.rollers_bear
     motion = shape.motion
     with np.errstate(invalid="ignore"):
         end = 0.5 * solved.rows.per_element(solved.rows.effective_length)

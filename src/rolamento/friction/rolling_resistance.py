@@ -23,7 +23,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.model import ContactLoss, bears_on_both
+from rolamento.friction.model import ContactLoss
 from rolamento.friction.slip import Patch, solved_motion
 from rolamento.geometry import Race
 from rolamento.lubrication.films import has_film, resistance_left
@@ -97,4 +97,4 @@ def _loss_of_race(solved: Solved, race: Race, viscosity: FloatArray) -> FloatArr
     force = rolling_force(Patch.of(contacts), curvature, contacts.modulus, viscosity, speed)
     if has_film(solved):
         force = force * resistance_left(solved, race, viscosity)
-    return np.asarray(np.where(bears_on_both(solved), 2.0 * force * speed, 0.0))
+    return np.asarray(np.where(solved.balls_bear, 2.0 * force * speed, 0.0))

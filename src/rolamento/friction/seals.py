@@ -34,7 +34,6 @@ from rolamento.case.losses import Losses
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.errors import InputError
 from rolamento.friction.machine import bearings_of
-from rolamento.friction.model import relative_speed
 from rolamento.io.data import toml_of
 from rolamento.lubrication.film_thickness import spreading_factor
 from rolamento.lubrication.films import Film
@@ -275,7 +274,7 @@ def seals_and_bath(solved: Solved, film: Film | None = None) -> SealsAndBath | N
     if not (any(one is not None for one in seals) or bathed or given.seal_moment is not None):
         return None
     notes: list[Note] = []
-    speed = np.abs(np.asarray(relative_speed(solved), np.float64)).reshape(-1)
+    speed = solved.relative_speed
     shape = np.zeros(len(solved))
     if given.seal_moment is not None:
         moment = given.seal_moment

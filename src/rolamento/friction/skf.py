@@ -82,7 +82,6 @@ from rolamento.friction.model import (
     added,
     bearing_load,
     limits_of_lubricated_bearings,
-    relative_speed,
     torque_of_parts,
 )
 from rolamento.io.data import toml_of
@@ -406,7 +405,7 @@ _SAME_ANGLE: Final = radians(1.0)
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    speed = relative_speed(setting.solved)
+    speed = setting.solved.relative_speed
     moments = [_moment(setting, machine) for machine in setting.machines]
     whole = added([skf_torque(moment, speed) for moment in moments])
     if not all(TYPES[one.kind].has_rollers for one in setting.machines):
@@ -420,7 +419,7 @@ def _moment(setting: Setting, machine: MachineBearing) -> SkfMoment:
     radial, axial = bearing_load(setting.solved, machine)
     return skf_moment(
         machine.constants,
-        speed=relative_speed(setting.solved),
+        speed=setting.solved.relative_speed,
         bore_diameter=machine.bore_diameter,
         outside_diameter=machine.outside_diameter,
         kinematic_viscosity=machine.kinematic_viscosity,

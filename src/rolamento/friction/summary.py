@@ -31,8 +31,6 @@ from rolamento.friction.model import (
     checked_coefficient,
     hysteresis_loss,
     over_cases,
-    relative_speed,
-    rolls_on_lines,
     torque_of_losses,
     validity_of,
 )
@@ -46,10 +44,10 @@ from rolamento.friction.rollers import (
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
 from rolamento.io.json import plain
-from rolamento.lubrication.films import film, has_film, oil_of
+from rolamento.lubrication.films import film, has_film
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
-from rolamento.records import frozen, span
+from rolamento.records import Lazily, frozen, span
 from rolamento.solved import Solved, refuse_other
 from rolamento.validate import one_of, positive
 from rolamento.words import Note, said
@@ -97,8 +95,8 @@ class Friction:
         (cases,): "boundary", "mixed", "full_film" or "unknown"
     models
         every model that could be evaluated: its torque
-    validity
-        whether each of them is valid here, and if not, why
+    validities
+        whether each of them is valid here, and if not, why; both are found when they are looked up
     bounds
         why the torque is an upper bound, by keys of notes: in which cases, (cases,)
     """
@@ -116,7 +114,7 @@ class Friction:
     film_parameter: FloatArray
     regime: NDArray[np.str_]
     models: Mapping[str, Torque]
-    validity: tuple[ModelValidity, ...]
+    validities: Mapping[str, ModelValidity]
     bounds: Mapping[str, BoolArray]
 
     def _shown(self) -> dict[str, str]:
@@ -138,6 +136,11 @@ class Friction:
             ),
             "models": ", ".join(self.models),
         }
+
+    @property
+    def validity(self) -> tuple[ModelValidity, ...]:
+        """Whether each of the models is valid, and if not, why."""
+        return tuple(self.validities.values())
 
     @property
     def upper_bound(self) -> BoolArray:
@@ -274,7 +277,7 @@ def _started(torque: FloatArray | None, case: int) -> dict[str, Any]:
 
 def default_model(solved: Solved, *, quick: bool = False) -> str:
     """Name the model of the contacts that is used if none is named; quick: a closed form."""
-    if rolls_on_lines(solved).all():
+    if solved.are_rollers.all():
         return ROLLER_MODEL
     return "jones_simplified" if quick else "jones_full"
 
@@ -354,7 +357,7 @@ def friction(
     viscosity, known = dynamic_viscosity, film_parameter
     if has_film(solved):
         if viscosity is None:
-            viscosity = np.where(solved.converged, oil_of(solved).dynamic_viscosity, 0.0)
+            viscosity = np.where(solved.converged, solved.oil.dynamic_viscosity, 0.0)
     elif known is None:
         known = np.nan
 
@@ -398,11 +401,12 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
     if thinnest is None:
         thinnest = film(setting.solved, threads=1).minimum_film_parameter[:, np.newaxis]
         setting = replace(setting, film_parameter=thinnest)
-    models = {
-        name: own.evaluate(setting) if own.knows(setting.solved) else _no_torque(name, setting)
+    names = [
+        name
         for name, own in TORQUE_MODELS.items()
         if name == model or (_shown(own, setting, compare) and setting.supplies(own.needs))
-    }
+    ]
+    models = Lazily(names, lambda name: _torque_by(TORQUE_MODELS[name], setting))
     beside = [_hysteresis(setting)]
     if setting.dynamic_viscosity is not None:
         beside.append(_rolling_resistance(setting, setting.dynamic_viscosity))
@@ -433,9 +437,8 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
         film_parameter=thinnest[:, 0],
         regime=setting.regime,
         models=models,
-        validity=tuple(
-            validity_of(TORQUE_MODELS[name], setting, found.converged)
-            for name, found in models.items()
+        validities=Lazily(
+            names, lambda name: validity_of(TORQUE_MODELS[name], setting, models[name].converged)
         ),
         bounds=upper_bounds(setting, torque, by_source),
     )
@@ -492,16 +495,18 @@ def _together(parts: list[Mapping[str, T]], add: Callable[[T, T], T]) -> dict[st
 
 def _shown(own: TorqueModel, setting: Setting, compare: bool) -> bool:
     """Whether a model stands beside the one in use; that of rollers only where there are some."""
-    rolls = rolls_on_lines(setting.solved)
+    rolls = setting.solved.are_rollers
     if own.name == ROLLER_MODEL:
         return bool(rolls.all())
     return compare or not own.of_contacts
 
 
-def _no_torque(name: str, setting: Setting) -> Torque:
-    """The torque of a model of other elements: none."""
+def _torque_by(own: TorqueModel, setting: Setting) -> Torque:
+    """The torque by a model; none by one of other elements."""
+    if own.knows(setting.solved):
+        return own.evaluate(setting)
     nothing = np.full(len(setting), np.nan)
-    return Torque(name, nothing, {}, nothing, np.zeros(len(setting), np.bool_))
+    return Torque(own.name, nothing, {}, nothing, np.zeros(len(setting), np.bool_))
 
 
 def _sliding(setting: Setting, losses: Mapping[str, ContactLoss]) -> Torque:
@@ -510,7 +515,7 @@ def _sliding(setting: Setting, losses: Mapping[str, ContactLoss]) -> Torque:
 
 def _hysteresis(setting: Setting) -> Torque:
     solved = setting.solved
-    rolls = rolls_on_lines(solved)
+    rolls = solved.are_rollers
     if rolls.all():
         lost = line_hysteresis_loss(solved, setting.hysteresis)
     else:
@@ -524,8 +529,8 @@ def _hysteresis(setting: Setting) -> Torque:
 def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
     """The oil's rolling resistance as a torque."""
     solved = setting.solved
-    rolls = rolls_on_lines(solved)
-    speed = np.abs(relative_speed(solved))[:, np.newaxis]
+    rolls = solved.are_rollers
+    speed = solved.relative_speed[:, np.newaxis]
     turning = np.where(speed > 0.0, speed, 1.0)
     if rolls.all():
         lost = line_resistance_loss(solved, viscosity)

@@ -15,7 +15,7 @@ friction is convex in them, and where no inertia acts its minimum is the equilib
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,7 +30,7 @@ _MAXIMUM_POINTS = 2000
 _MIDDLE = 1e-9
 
 
-@frozen
+@frozen(slots=False)
 class EllipseMesh:
     """Points (points,) in u = x0/a and v = y0/b; the weights add up to one.
 
@@ -41,13 +41,14 @@ class EllipseMesh:
     along: FloatArray
     weight: FloatArray
 
+    @cached_property
     def folded(self) -> EllipseMesh:
         """The half with y0 ≥ 0, for integrands that are even along rolling."""
         kept = self.along > -_MIDDLE
         share = np.where(np.abs(self.along[kept]) < _MIDDLE, 1.0, 2.0)
         return EllipseMesh(self.across[kept], self.along[kept], self.weight[kept] * share)
 
-    @property
+    @cached_property
     def rows(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Places across, u (places,), with v² and weight of their points, (rows along, places)."""
         u, count = np.unique(self.across, return_counts=True)

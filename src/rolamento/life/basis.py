@@ -45,6 +45,7 @@ from rolamento.life.row_ratings import (
     Ratings,
     UnratedError,
     has_steel_elements,
+    nominal_conformities,
     nominal_contact_angle,
     ratings_of,
     row_kinds,
@@ -135,7 +136,7 @@ class Basis:
         steep = np.isnan(angle).any(axis=1)
         ratings = ratings_of(solved, angle, given)
         turning = _turning_rings(solved, given)
-        speed = _speed(solved)
+        speed = solved.relative_speed
         outside = bool(outside_print(given.reliability, given.edition))
         return cls(
             solved=solved,
@@ -501,11 +502,6 @@ def _limiting_speed(solved: Solved) -> float | None:
     return None if published is None else published.limiting_speed
 
 
-def _speed(solved: Solved) -> FloatArray:
-    """Speed of the rings against each other, unsigned, (cases,), rad/s."""
-    return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
-
-
 def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> EquivalentLoads:
     """P and P_0 of the shaft's load, for one row, a tandem, or a pair that faces each other."""
     rows, load, cases, kind = solved.rows, solved.load, len(solved), ratings.kind
@@ -617,7 +613,7 @@ def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> Fl
     if given.viscosity is None:
         return None
     viscosity = over_cases(given.viscosity, "viscosity", cases)
-    from rolamento.lubrication.oil_state import viscosity_ratio
+    from rolamento.oil.state import viscosity_ratio
 
     ratio = viscosity_ratio(viscosity[:, np.newaxis], speed[:, np.newaxis], rows.pitch_diameter)
     return np.asarray(ratio.min(axis=1))
@@ -625,8 +621,8 @@ def _viscosity_ratio(rows: Rows, speed: FloatArray, given: LifeConditions) -> Fl
 
 def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     """What every theory that starts from the rating has to say of the bearing, by note."""
-    cases, rows = len(solved), solved.rows
-    inner, outer = rows.inner_conformity, rows.outer_conformity
+    cases = len(solved)
+    inner, outer = nominal_conformities(solved)
     # rollers have no grooves: NaN, neither open nor close
     most = np.array([rated_as(kind)["conformities"] for kind in row_kinds(solved)])
     opened = (inner > most[:, 0] + _GROOVE_MARGIN) | (outer > most[:, 1] + _GROOVE_MARGIN)

@@ -298,7 +298,7 @@ def with_lubricant(conditions: LifeConditions, source: Case | Solved) -> LifeCon
     kelvin = np.asarray(warm, dtype=np.float64)
     filled: dict[str, Any] = {}
     if conditions.viscosity is None and conditions.viscosity_ratio is None:
-        from rolamento.lubrication.oil_state import oil_state
+        from rolamento.oil.state import oil_state
 
         filled["viscosity"] = oil_state(case.lubricant, kelvin).kinematic_viscosity
     if conditions.temperature is None:

@@ -349,4 +349,5 @@ THEORY: Final = Theory(
         "too_hot",
     ),
     rank=5,
+    refuses=True,
 )

@@ -26,6 +26,7 @@ from rolamento.life.iso281_modified import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
     SELF_ALIGNING_CONFORMITY,
+    THRUST_STATIC_CONFORMITY,
     Rated,
     RatedType,
     dynamic_factor,
@@ -34,8 +35,12 @@ from rolamento.ratings import (
     rated_as,
     roller_dynamic_rating,
     roller_static_rating,
+    self_aligning_static_factor,
+    static_factor,
+    static_factor_of_grooves,
     static_rating,
     thrust_dynamic_factor,
+    thrust_static_factor,
 )
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
@@ -225,6 +230,15 @@ def nominal_contact_angle(solved: Solved) -> FloatArray:
     return np.minimum(angle, 0.5 * np.pi)  # a conical washer leans beyond it
 
 
+def nominal_conformities(solved: Solved) -> tuple[FloatArray, FloatArray]:
+    """Conformities that standards rate the rows by, (cases, rows): those before mounting.
+
+    A warm bearing with ceramic balls has more open grooves, and the same rating.
+    """
+    given = solved.rows if solved.before_mounting is None else solved.before_mounting
+    return given.inner_conformity, given.outer_conformity
+
+
 def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
     """Nominal contact angle of radial rows, NaN beyond 45°, of thrust bearings as it is.
 
@@ -267,9 +281,11 @@ def _by_geometry(
             for i, name in enumerate(names)
         ]
         return np.stack(columns, axis=1), static
-    grooves = (rows.inner_conformity[:, own], rows.outer_conformity[:, own])
+    inner, outer = nominal_conformities(solved)
+    grooves = inner[:, own], outer[:, own]
     factor = _groove_factor(inside[1], around[0], grooves, around[1], kind)
-    static = static_rating(*inside, *around, kind=kind)
+    lower = _static_groove_factor(inside[1], around[0], grooves, around[1], kind)
+    static = static_rating(*inside, *around, kind=kind, factor=lower)
     return dynamic_rating(*inside, *around, kind=kind, factor=factor), static
 
 
@@ -386,11 +402,10 @@ def _groove_factor(
 ) -> FloatArray:
     """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
     if rated_as(kind)["axial"]:
-        ratio = diameter / pitch
-        usual = thrust_dynamic_factor(ratio, angle)
-        openest = np.maximum(*grooves)
-        opened = openest > rated_as(kind)["conformities"][0]
-        return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
+        ratio, most = diameter / pitch, rated_as(kind)["conformities"][0]
+        opened = thrust_dynamic_factor(ratio, angle, np.maximum(most, np.maximum(*grooves)))
+        full = thrust_dynamic_factor(ratio, angle, most)
+        return np.asarray(thrust_dynamic_factor(ratio, angle) * opened / full)
     gamma = diameter * np.cos(angle) / pitch
     if kind != "radial":
         own, least = grooves[0], SELF_ALIGNING_CONFORMITY
@@ -400,3 +415,24 @@ def _groove_factor(
     outer = np.maximum(grooves[1], OUTER_GROOVE)
     full = dynamic_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
     return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
+
+
+def _static_groove_factor(
+    diameter: FloatArray,
+    pitch: FloatArray,
+    grooves: tuple[FloatArray, FloatArray],
+    angle: FloatArray,
+    kind: RatedType,
+) -> FloatArray:
+    """f_0 likewise: ISO 76 has it reduced for grooves that are more open than its table takes."""
+    gamma = diameter * np.where(angle >= 0.5 * np.pi, 0.0, np.cos(angle)) / pitch
+    if kind == "thrust":
+        return thrust_static_factor(
+            gamma, np.maximum(THRUST_STATIC_CONFORMITY, np.maximum(*grooves))
+        )
+    if kind == "self_aligning":
+        return self_aligning_static_factor(gamma, np.maximum(SELF_ALIGNING_CONFORMITY, grooves[0]))
+    inner = np.maximum(grooves[0], INNER_GROOVE)
+    outer = np.maximum(grooves[1], OUTER_GROOVE)
+    full = static_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
+    return np.asarray(static_factor(gamma) * static_factor_of_grooves(gamma, inner, outer) / full)

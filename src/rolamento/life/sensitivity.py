@@ -133,8 +133,8 @@ def holding_load(solved: Solved) -> float | None:
         To two figures, beside the radial load that is given; None where there is an equilibrium,
         no radial load, rows that face each other, or where no such load helps.
     """
-    case, load = solved.case, solved.case.duty.load
-    places = case.bearing.places
+    case = solved.case_at(0)
+    load, places = case.duty.load, case.bearing.places
     radial = hypot(load.fy or 0.0, load.fz or 0.0)
     signs = {place.sign for place in places}
     one_way = len(signs) == 1 and all(place.bearing.carries_one_way for place in places)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cached_property, partial
 from typing import Any, Final
 
 import numpy as np
@@ -21,9 +22,8 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import Ratings
 from rolamento.life.theories import THEORIES
-from rolamento.life.theory import Theory
 from rolamento.numerics import FloatArray
-from rolamento.records import frozen, span
+from rolamento.records import Lazily, frozen, span
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.units import HOUR
@@ -65,15 +65,15 @@ class Limit:
     factor: NDArray[np.str_]
 
 
-@frozen(eq=False)
+@frozen(eq=False, slots=False)
 class LifeSummary:
     """Lives of solved cases by every theory that the conditions allow; arrays over cases.
 
     Attributes
     ----------
     theories
-        by their names in `theories.THEORIES`, in that order; those that were asked for. One that
-        takes milliseconds is evaluated when it is first looked up
+        by their names in `theories.THEORIES`, in that order; those that were asked for. Each is
+        evaluated when it is first looked up, unless the conditions may have to be refused for it
     ratings
         C, C_0 and C_u, N
     loads
@@ -82,8 +82,8 @@ class LifeSummary:
         the life that leads, by the one rule for all reports, figures and outputs
     reference, reference_load
         the reference life, race by race, and P_ref, (cases,), N
-    limit
-        what limits the life
+    limiting
+        finds the `limit`
     viscosity_ratio, contamination_factor
         κ and e_C, (cases,); None where lubrication is not given
     rib_load
@@ -103,7 +103,7 @@ class LifeSummary:
     loads: EquivalentLoads
     reference: ReferenceLife
     reference_load: FloatArray
-    limit: Limit
+    limiting: Callable[[], Limit]
     viscosity_ratio: FloatArray | None
     contamination_factor: FloatArray | None
     conditions: LifeConditions
@@ -125,6 +125,11 @@ class LifeSummary:
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory."""
         return self.theories[theory]
+
+    @cached_property
+    def limit(self) -> Limit:
+        """What limits the life."""
+        return self.limiting()
 
     @property
     def rating_sources(self) -> dict[str, str]:
@@ -270,35 +275,12 @@ class LifeSummary:
         }
 
 
-class _Lives(Mapping[str, Life]):
-    """Lives by theories; one that takes milliseconds is evaluated when it is first asked for."""
-
-    def __init__(self, basis: Basis, asked: Iterable[Theory]) -> None:
-        self._basis = basis
-        self._lives = {one.name: None if one.slow else self._life(one) for one in asked}
-
-    def _life(self, theory: Theory) -> Life:
-        if theory.of_balls and self._basis.has_rollers:
-            return self._basis.refused(theory.name, "theory_of_balls")
-        return theory.evaluate(self._basis)
-
-    def __getitem__(self, name: str) -> Life:
-        found = self._lives[name]
-        if found is None:
-            found = self._lives[name] = self._life(THEORIES[name])
-        return found
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._lives
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._lives)
-
-    def __len__(self) -> int:
-        return len(self._lives)
-
-    def __reduce__(self) -> Any:
-        return dict, (dict(self),)  # as it travels: all evaluated, without what that takes
+def _life_by(basis: Basis, name: str) -> Life:
+    """The life by one theory."""
+    theory = THEORIES[name]
+    if theory.of_balls and basis.has_rollers:
+        return basis.refused(name, "theory_of_balls")
+    return theory.evaluate(basis)
 
 
 def life(
@@ -335,8 +317,11 @@ def life(
     given = conditions_of(solved) if conditions is None else conditions
     slow = len(solved) == 1 if stress_volume is None else stress_volume
     basis = Basis.of(solved, given)
-    asked = (one for one in THEORIES.values() if one.asked(basis) and (slow or not one.slow))
-    theories = _Lives(basis, asked)
+    asked = [one for one in THEORIES.values() if one.asked(basis) and (slow or not one.slow)]
+    theories = Lazily((one.name for one in asked), partial(_life_by, basis))
+    for one in asked:
+        if one.refuses:
+            theories[one.name]
     modified = theories.get(iso16281_modified.THEORY.name)
     return LifeSummary(
         theories=theories,
@@ -345,7 +330,7 @@ def life(
         loads=basis.loads,
         reference=basis.reference,
         reference_load=basis.reference_load,
-        limit=_limit_of(basis),
+        limiting=partial(_limit_of, basis),
         viscosity_ratio=basis.viscosity_ratio,
         contamination_factor=basis.contamination_factor,
         conditions=given,

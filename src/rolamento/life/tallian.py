@@ -195,4 +195,5 @@ THEORY: Final = Theory(
     needs=(FACTORS,),
     validity=(*OF_BEARING, *OF_LOAD, "theory_of_balls"),
     rank=7,
+    refuses=True,
 )

@@ -120,6 +120,8 @@ class Theory:
         whether its life is an upper bound, even far within its validity
     slow
         whether a case takes milliseconds
+    refuses
+        whether it raises InputError where the conditions lack something
     edition
         of ISO 281 for its a_1, where it has one of its own
     """
@@ -135,4 +137,5 @@ class Theory:
     of_balls: bool = False
     bound: bool = False
     slow: bool = False
+    refuses: bool = False
     edition: Edition | None = None

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
+from rolamento.case.case import lubricant_of
 from rolamento.case.film_model import FilmModel
-from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.io.json import plain
@@ -31,17 +31,14 @@ from rolamento.lubrication.film_thickness import (
 )
 from rolamento.lubrication.line_film import line_film, line_groups
 from rolamento.lubrication.notes import notes_on
-from rolamento.lubrication.oil_state import OilState, oil_state, reference_viscosity
 from rolamento.lubrication.regime import Regime, regime_indices, regime_of, regimes
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
+from rolamento.oil.state import OilState, reference_viscosity
 from rolamento.records import frozen, span
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
 from rolamento.types import BALL
 from rolamento.words import Note, said
-
-ROOM_TEMPERATURE: Final = 293.15
-"""K"""
 
 
 @frozen(eq=False)
@@ -256,41 +253,10 @@ def has_film(solved: Solved) -> bool:
     return warm and case.lubricant is not None and case.lubricant.kind != "dry"
 
 
-def lubricant_of(case: Case) -> Lubricant:
-    """Return the lubricant of a case.
-
-    Raises
-    ------
-    InputError
-        If it has none.
-    """
-    if case.lubricant is None:
-        raise InputError(
-            said(
-                "is missing: without a lubricant or a coefficient of friction there is "
-                "no film and no friction"
-            ),
-            field="lubricant",
-            example='lubricant = "ISO VG 68"',
-        )
-    return case.lubricant
-
-
-def oil_of(solved: Solved) -> OilState:
-    """The oil of solved cases at its temperature, (cases,); all NaN for dry lubrication."""
-    given = solved.field("temperature.lubricant")
-    temperature = np.where(given > 1.0, given, ROOM_TEMPERATURE)  # 1: of a case that is not valid
-    lubricant = lubricant_of(solved.case)
-    if lubricant.kind != "dry":
-        return oil_state(lubricant, temperature)
-    nothing = np.full_like(temperature, np.nan)
-    return OilState(temperature, nothing, nothing, nothing, nothing, nothing, float("nan"))
-
-
 def _film_of_some(solved: Solved) -> Film:
-    case, elements, oil = solved.case, solved.elements, oil_of(solved)
+    case, elements, oil = solved.case, solved.elements, solved.oil
     model = case.film or FilmModel()
-    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    speed = solved.relative_speed
     needed = reference_viscosity(speed[:, np.newaxis], solved.rows.pitch_diameter).max(axis=1)
     refill = _refill(case, model, oil, speed)
     inner, outer = (
@@ -331,7 +297,7 @@ def resistance_left(solved: Solved, race: Race, viscosity: FloatArray) -> FloatA
     counted here (`rolamento.friction` calls the torque an upper bound then).
     """
     model = solved.case.film or FilmModel()
-    contacts, oil = solved.contacts[race], oil_of(solved)
+    contacts, oil = solved.contacts[race], solved.oil
     left = _starvation_left(solved, race, model, oil)
     if model.thermal == "none":
         return left
@@ -349,7 +315,7 @@ def _starvation_left(solved: Solved, race: Race, model: FilmModel, oil: OilState
     if model.starvation == "inlet_distance":
         factor = _film_of_some(solved).of(race).starvation_factor
         return np.where(np.isnan(factor), 1.0, factor)
-    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    speed = solved.relative_speed
     refill = _refill(solved.case, model, oil, speed)
     return np.broadcast_to(refill[:, np.newaxis], shape)
 

@@ -16,9 +16,9 @@ import numpy as np
 
 from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
-from rolamento.lubrication.oil_state import oil_state, reference_viscosity
 from rolamento.oil import viscosity_100_of_index
 from rolamento.oil.properties import astm_d341, astm_d341_line
+from rolamento.oil.state import oil_state, reference_viscosity
 from rolamento.records import frozen
 from rolamento.validate import number
 from rolamento.words import Note, said

@@ -46,10 +46,17 @@ def of_each(
     Arrays of the broadcast shape. The loop runs over many numbers of a process that has the
     compiler.
     """
-    few = max(array.size for array in arrays) < MANY
-    if few or not at_hand() or goes_plainly(loop, little=False):
+    whole = np.broadcast(*arrays)
+    if not at_hand() or goes_plainly(loop, little=whole.size < MANY):
         return formula(*arrays)
-    whole = np.broadcast_arrays(*arrays)
-    out = np.empty((count, whole[0].size))
-    ready(loop)(*(np.ascontiguousarray(array, np.float64).reshape(-1) for array in whole), out)
-    return tuple(out.reshape(count, *whole[0].shape))
+    out = np.empty((count, whole.size))
+    ready(loop)(*(_flat(array, whole.shape) for array in arrays), out)
+    return tuple(out.reshape(count, *whole.shape))
+
+
+def _flat(array: NDArray[Any], shape: tuple[int, ...]) -> FloatArray:
+    if array.shape == shape:
+        return np.ascontiguousarray(array, np.float64).reshape(-1)
+    whole = np.empty(shape)
+    whole[...] = array
+    return whole.reshape(-1)

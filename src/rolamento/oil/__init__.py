@@ -1,4 +1,8 @@
-"""The oil itself: viscosity over temperature and pressure, viscosity index, density."""
+"""The oil itself: viscosity over temperature and pressure, viscosity index, density.
+
+Inside: `properties` (a formula a function), `state` (a lubricant at its temperature, the viscosity
+ratio).
+"""
 
 from rolamento.oil.properties import (
     MINIMUM_VISCOSITY,

@@ -18,7 +18,6 @@ from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import RACES, Solved
 from rolamento.solved.form import control_names
-from rolamento.solved.notes import are_rollers
 from rolamento.types import type_of_element
 from rolamento.words import decimals_for, in_unit, manner, said, said_in
 from rolamento.words.quantities import called
@@ -216,7 +215,7 @@ _BALL_COLUMNS: Final = (
 
 def balls_table(solved: Solved) -> Table:
     """Return a line for every ball: loads, angles, pressures; then its motion."""
-    elements, balls = solved.elements, ~are_rollers(solved)
+    elements, balls = solved.elements, ~solved.are_rollers
     columns = [
         Column("#", np.flatnonzero(balls).tolist(), "ball", tone="faint"),
         Column("ψ", elements.azimuth[0, balls].tolist(), "azimuth", "°", figures=5),
@@ -265,7 +264,7 @@ def balls_table(solved: Solved) -> Table:
 
 def all_of_the_balls(solved: Solved) -> Table:
     """Return the table of balls that is written to files: all numbers, touching or not."""
-    elements, balls = solved.elements, ~are_rollers(solved)
+    elements, balls = solved.elements, ~solved.are_rollers
     columns = [
         Column("row", elements.row[balls].tolist(), "row"),
         Column("ball", np.flatnonzero(balls).tolist(), "ball"),
@@ -334,7 +333,7 @@ def _end_over_middle(rollers: Rollers, race: Race) -> FloatArray:
 
 def rollers_table(solved: Solved) -> Table:
     """Return a line for every roller: loads and pressures; along it; then its motion."""
-    chosen, elements, rollers = are_rollers(solved), solved.elements, solved.rollers
+    chosen, elements, rollers = solved.are_rollers, solved.elements, solved.rollers
     assert rollers is not None
 
     def own(
@@ -413,7 +412,7 @@ def rollers_table(solved: Solved) -> Table:
 
 def all_of_the_rollers(solved: Solved) -> Table:
     """Return the table of rollers that is written to files: all numbers, touching or not."""
-    elements, chosen, rollers = solved.elements, are_rollers(solved), solved.rollers
+    elements, chosen, rollers = solved.elements, solved.are_rollers, solved.rollers
     assert rollers is not None
 
     def own(head: str, of: FloatArray, unit: str = "") -> Column:
@@ -453,7 +452,7 @@ def all_of_the_slices(solved: Solved) -> Table:
     """Return what files have of every slice of every roller."""
     rollers = solved.rollers
     assert rollers is not None
-    chosen = np.flatnonzero(are_rollers(solved))
+    chosen = np.flatnonzero(solved.are_rollers)
     count = rollers.slice_place.shape[-1]
 
     def own(head: str, values: FloatArray, unit: str) -> Column:
@@ -485,7 +484,7 @@ _HASHES: Final = " #"
 
 def roller_pictures(solved: Solved) -> list[Section]:
     """Draw the pressure along the rollers, and the most loaded one between the races; if any is."""
-    if not are_rollers(solved).any() or not solved.loaded[0, are_rollers(solved)].any():
+    if not solved.are_rollers.any() or not solved.loaded[0, solved.are_rollers].any():
         return []
     along = Figure(
         said("Pressure along the rollers at both races, the most loaded one in full"),

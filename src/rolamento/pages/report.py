@@ -514,13 +514,13 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
     if not case.converged or nothing_given(case.analysis.solved):
         return ()
     alone = replace(report, cases=(case,))
-    keys = {said("rating life"): "life", said("speed"): "speed"}
+    keys: dict[object, str] = {_hours: "life", _life_text: "life", _speed: "speed"}
     found = []
     for row in _summary_rows(alone):
         shown = _shown(row.cell(case))
         if not shown:
             continue
-        key = keys.get(row.label) or row.path or "theory"
+        key = keys.get(row.of) or row.path or "theory"
         limit, share, tone = _limit_of(case, row)
         found.append(KeyFigure(key, row.label, shown, row.shown_unit, limit, share, tone))
     return (*found, *_tilt_figure(case))
@@ -558,7 +558,7 @@ def _limit_of(case: CaseReport, row: _Quantity) -> tuple[str, float | None, doc.
             tone: doc.Tone = "" if value >= least else "bad" if value < refused else "warning"
             return said("at least {limit:.3}", limit=least), min(least / value, 9.0), tone
     required = case.case.life.required_life if case.case.life is not None else None
-    if required and row.label == said("rating life") and (hours := _hours(case)):
+    if required and row.of in (_hours, _life_text) and (hours := _hours(case)):
         wanted = required / 3600.0
         text = said("at least {hours:.4r} h", hours=wanted)
         return text, min(wanted / hours, 9.0), "bad" if hours < wanted else ""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from math import acos, cos, hypot, pi, sin, sqrt, tan
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -62,6 +63,8 @@ _CIRCLE: Final = tuple(
 _LITTLE: Final = 0.01
 """Part of the greatest load below which an element counts as not loaded."""
 _TOP, _BOTTOM = 0.0, pi
+_SIDES: Final = (1.0, -1.0)
+"""Above the axis, and below."""
 
 
 class Outline(NamedTuple):
@@ -173,18 +176,21 @@ class _Row(NamedTuple):
 
 
 @dataclass
-class _Drawer:
-    """Gathers a drawing."""
+class _Frame:
+    """What no load changes: sizes, and the outlines of the bearing and of what is around it.
 
-    case: Case
-    solved: Solved | None
+    behind: by the side of the axis, outlines behind those of the elements, `rolling`.
+    """
+
+    bearing: Any
+    mounting: Any
     outlines: list[Outline] = field(default_factory=list)
-    arrows: list[Arrow] = field(default_factory=list)
-    labels: list[Label] = field(default_factory=list)
+    behind: dict[float, tuple[Outline, ...]] = field(default_factory=dict)
+    rolling: dict[float, tuple[Outline, ...]] = field(default_factory=dict)
     deeper: float = 0.0
 
     def __post_init__(self) -> None:
-        bearing = self.case.bearing
+        bearing, mounting = self.bearing, self.mounting
         self.rows = [
             _Row(one.bearing, float(one.position), float(one.sign), n)
             for n, one in enumerate(bearing.places)
@@ -194,7 +200,7 @@ class _Drawer:
         self.elements = elements
         size = max(one.size for one in elements)
         radius = max(one.radius for one in elements)
-        published, mounting = bearing.published, self.case.mounting
+        published = bearing.published
         bore = _known("bore", mounting, published)
         outside = _known("outside_diameter", mounting, published)
         width = _known("width", mounting, published)
@@ -219,60 +225,46 @@ class _Drawer:
         half = 0.5 * self.width
         self.left = min(at for at, _ in self.rings) - half
         self.right = max(at for at, _ in self.rings) + half
-
-    def drawn(self) -> SectionDrawing:
-        """Draw everything."""
         tall = 2.0 * self.outside
-        letter = 0.05 * max(tall, 0.55 * (self.right - self.left + tall))
-        wall = 0.09 * tall
+        self.letter = 0.05 * max(tall, 0.55 * (self.right - self.left + tall))
         reach = 0.16 * tall + 0.1 * (self.right - self.left)
-        ends = (self.left - reach, self.right + reach)
-        self._shaft(ends)
-        for side in (1.0, -1.0):
-            self._housing(side, wall)
+        self.ends = (self.left - reach, self.right + reach)
+        self.wall = 0.09 * tall
+        self._shaft()
+        for side in _SIDES:
+            self._housing(side)
             for at, rows in self.rings:
                 self._bearing(at, rows, side)
             self._spacers(side)
-            for row in self.elements:
+            self.behind[side] = self._taken()
+            for row in elements:
                 self._element(row, side)
-            for row in self.elements:
-                self._contact(row, side)
-        axis = (ends[0] - 0.5 * letter, ends[1] + 0.5 * letter)
-        self.outlines.append(Outline("axis", ((axis[0], 0.0), (axis[1], 0.0)), closed=False))
-        self._acting(ends, letter)
-        self._sizes(letter)
-        low, high = ends[0] - 7.4 * letter, ends[1] + 7.6 * letter
-        bottom = -self.outside - wall - 0.4 * letter
-        box = (low, bottom, high - low, -2.0 * bottom)
-        return SectionDrawing(
-            tuple(self.outlines), tuple(self.arrows), tuple(self.labels), box, letter,
-            self._sentence(self._remark()), " ".join(self._remark()),
-        )  # fmt: skip
+            self.rolling[side] = self._taken()
 
-    # --- parts ------------------------------------------------------------------------------------
+    def _taken(self) -> tuple[Outline, ...]:
+        taken, self.outlines = tuple(self.outlines), []
+        return taken
 
-    def _add(self, kind: str, points: Sequence[Point], side: float = 1.0, *,
-             closed: bool = True) -> None:  # fmt: skip
-        self.outlines.append(Outline(kind, tuple((x, side * y) for x, y in points), closed))
+    def _add(self, kind: str, points: Sequence[Point], side: float) -> None:
+        self.outlines.append(Outline(kind, _on_side(points, side)))
 
     def _box(self, kind: str, left: float, right: float, low: float, high: float,
              side: float) -> None:  # fmt: skip
         self._add(kind, ((left, low), (left, high), (right, high), (right, low)), side)
 
-    def _shaft(self, ends: Point) -> None:
-        mounting = self.case.mounting
-        hollow = 0.5 * float(getattr(mounting, "shaft_bore", 0.0) or 0.0)
+    def _shaft(self) -> None:
+        hollow = 0.5 * float(getattr(self.mounting, "shaft_bore", 0.0) or 0.0)
         hollow = min(hollow, 0.9 * self.inside)
         if hollow:
-            for side in (1.0, -1.0):
-                self._box("shaft", *ends, hollow, self.inside, side)
+            for side in _SIDES:
+                self._box("shaft", *self.ends, hollow, self.inside, side)
         else:
-            self._box("shaft", *ends, -self.inside, self.inside, 1.0)
+            self._box("shaft", *self.ends, -self.inside, self.inside, 1.0)
 
-    def _housing(self, side: float, wall: float) -> None:
+    def _housing(self, side: float) -> None:
         over = 0.12 * self.width
         self._box("housing", self.left - over, self.right + over, self.outside,
-                  self.outside + wall, side)  # fmt: skip
+                  self.outside + self.wall, side)  # fmt: skip
 
     def _spacers(self, side: float) -> None:
         """Sleeves between the rings of bearings that stand apart."""
@@ -302,7 +294,7 @@ class _Drawer:
 
     def _outer_race(self, row: _Row, at: float, left: float, right: float) -> list[Point]:
         kind, size = row.kind, row.size
-        if kind.aligns or self.case.bearing.listed_type.aligns:  # a sphere about the middle
+        if kind.aligns or self.bearing.listed_type.aligns:  # a sphere about the middle
             ball = not kind.has_rollers
             away = 0.5 * size
             x = row.x + row.way * away * sin(row.angle) - at
@@ -375,16 +367,70 @@ class _Drawer:
         return [(rib, self.outside), (rib, foot), (x_out + slope * (foot - r_out), foot), inside]
 
     def _element(self, row: _Row, side: float) -> None:
-        kind = "loaded" if self._load(row, side) > 0.0 else "element"
         if not row.kind.has_rollers:
             half, radius = 0.5 * row.size, row.radius
-            self._add(kind, [(row.x + half * x, radius + half * y) for x, y in _CIRCLE], side)
+            circle = [(row.x + half * x, radius + half * y) for x, y in _CIRCLE]
+            self._add("element", circle, side)
             return
         halves, self.deeper = _profiled(row)
         above, below = _turned(row, halves, 1.0), _turned(row, halves, -1.0)
-        self._add(kind, [*above, *reversed(below)], side)
+        self._add("element", [*above, *reversed(below)], side)
 
-    def _which(self, row: _Row, side: float) -> int | None:
+
+@lru_cache(maxsize=64)
+def _frame(bearing: Any, mounting: Any, given: frozenset[str]) -> _Frame:
+    """Drawn once, while loads and speeds of a case change.
+
+    given: the user's own fields, which bearings that are equal may differ in.
+    """
+    return _Frame(bearing, mounting)
+
+
+@dataclass
+class _Drawer:
+    """Gathers a drawing."""
+
+    case: Case
+    solved: Solved | None
+    outlines: list[Outline] = field(default_factory=list)
+    arrows: list[Arrow] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        bearing = self.case.bearing
+        self.frame = _frame(bearing, self.case.mounting, frozenset(bearing.model_fields_set))
+        self.near = {
+            (row.number, side): self._nearest(row, side)
+            for row in self.frame.elements
+            for side in _SIDES
+        }
+
+    def drawn(self) -> SectionDrawing:
+        """Draw everything."""
+        frame, letter, ends = self.frame, self.frame.letter, self.frame.ends
+        for side in _SIDES:
+            self.outlines += frame.behind[side]
+            for row, outline in zip(frame.elements, frame.rolling[side], strict=True):
+                loaded = self._load(row, side) > 0.0
+                self.outlines.append(outline._replace(kind="loaded") if loaded else outline)
+            for row in frame.elements:
+                self._contact(row, side)
+        axis = (ends[0] - 0.5 * letter, ends[1] + 0.5 * letter)
+        self.outlines.append(Outline("axis", ((axis[0], 0.0), (axis[1], 0.0)), closed=False))
+        self._acting(ends, letter)
+        self._sizes(letter)
+        low, high = ends[0] - 7.4 * letter, ends[1] + 7.6 * letter
+        bottom = -frame.outside - frame.wall - 0.4 * letter
+        box = (low, bottom, high - low, -2.0 * bottom)
+        return SectionDrawing(
+            tuple(self.outlines), tuple(self.arrows), tuple(self.labels), box, letter,
+            self._sentence(self._remark()), " ".join(self._remark()),
+        )  # fmt: skip
+
+    def _line(self, kind: str, points: Sequence[Point], side: float) -> None:
+        self.outlines.append(Outline(kind, _on_side(points, side), closed=False))
+
+    def _nearest(self, row: _Row, side: float) -> int | None:
         """The element of a row that is nearest the top, or the bottom."""
         if self.solved is None:
             return None
@@ -397,7 +443,7 @@ class _Drawer:
         return int(own[int(np.argmin(away))])
 
     def _load(self, row: _Row, side: float) -> float:
-        place = self._which(row, side)
+        place = self.near[row.number, side]
         if place is None or self.solved is None:
             return 0.0
         load = self.solved.inner.load[0]
@@ -405,7 +451,7 @@ class _Drawer:
 
     def _angles(self, row: _Row, side: float) -> tuple[float, float, bool]:
         """Contact angles of the inner and outer race, and whether they are those under load."""
-        place = self._which(row, side)
+        place = self.near[row.number, side]
         if place is None or self.solved is None or not self._load(row, side) > 0.0:
             return row.angle, row.angle, False
         found = [float(one.contact_angle[0, place])
@@ -424,19 +470,19 @@ class _Drawer:
         angle = row.angle
         if _FLAT < angle <= _STEEP:
             apex = (x - row.way * y * tan(angle), 0.0)
-            far = (x + row.way * (self.outside - y) * tan(angle), self.outside)
-            self._add("contact", (apex, far), side, closed=False)
-        self._add(kind, ends, side, closed=False)
+            far = (x + row.way * (self.frame.outside - y) * tan(angle), self.frame.outside)
+            self._line("contact", (apex, far), side)
+        self._line(kind, ends, side)
 
     # --- what acts, and what it measures ----------------------------------------------------------
 
     def _acting(self, ends: Point, letter: float) -> None:
         """Loads and speeds; forces that the shaft puts on the inner ring."""
-        duty = self.case.duty
+        frame, duty = self.frame, self.case.duty
         load = duty.load
         forces = {name: float(getattr(load, name) or 0.0) for name in ("fx", "fy", "fz")}
-        middle = 0.5 * (self.left + self.right)
-        reach = min(max(2.4 * letter, 0.62 * self.inside), 0.85 * self.inside)
+        middle = 0.5 * (frame.left + frame.right)
+        reach = min(max(2.4 * letter, 0.62 * frame.inside), 0.85 * frame.inside)
         if forces["fz"]:
             up = 1.0 if forces["fz"] > 0.0 else -1.0
             self.arrows.append(Arrow("load", ((middle, 0.0), (middle, up * reach))))
@@ -465,29 +511,29 @@ class _Drawer:
             self._label("speed", (ends[0] - 0.9 * letter, 0.75 * letter), _turns(float(speed)),
                         "end")  # fmt: skip
         if duty.outer_speed:
-            at = (self.left - 1.2 * letter, self.outside - 0.2 * letter)
+            at = (frame.left - 1.2 * letter, frame.outside - 0.2 * letter)
             self._label("speed", at, _turns(float(duty.outer_speed)), "end")
 
     def _turning(self, x: float, letter: float, speed: float) -> None:
         """An arc about the axis, with a head: how the shaft turns."""
-        tall, wide = 0.55 * self.inside, 0.9 * letter
+        tall, wide = 0.55 * self.frame.inside, 0.9 * letter
         turn = np.linspace(-0.42 * pi, 0.42 * pi, _ARC)
         points = [(x - wide * cos(a), tall * sin(a)) for a in turn.tolist()]
         self.arrows.append(Arrow("speed", tuple(points if speed > 0.0 else points[::-1])))
 
     def _sizes(self, letter: float) -> None:
         """Bore and outside diameter with their tolerances, and the contact angle."""
-        mounting = self.case.mounting
-        x = self.right + 0.12 * self.width + 0.5 * letter
-        if self.outside_known:
-            text = f"⌀{number(2e3 * self.outside, 4)}"
+        frame, mounting = self.frame, self.case.mounting
+        x = frame.right + 0.12 * frame.width + 0.5 * letter
+        if frame.outside_known:
+            text = f"⌀{number(2e3 * frame.outside, 4)}"
             fit = getattr(mounting, "housing_tolerance", None)
-            self._label("size", (x, self.outside - 0.3 * letter), f"{text} {fit or ''}".strip())
-        if self.bore_known:
-            text = f"⌀{number(2e3 * self.inside, 4)}"
+            self._label("size", (x, frame.outside - 0.3 * letter), f"{text} {fit or ''}".strip())
+        if frame.bore_known:
+            text = f"⌀{number(2e3 * frame.inside, 4)}"
             fit = getattr(mounting, "shaft_tolerance", None)
-            self._label("size", (x, self.inside + 0.75 * letter), f"{text} {fit or ''}".strip())
-        row = self.elements[-1]
+            self._label("size", (x, frame.inside + 0.75 * letter), f"{text} {fit or ''}".strip())
+        row = frame.elements[-1]
         _, outer, loaded = self._angles(row, 1.0)
         angle = outer if loaded else row.angle
         if not row.kind.has_rollers and (loaded or angle > _FLAT):
@@ -500,11 +546,11 @@ class _Drawer:
     def _remark(self) -> list[str]:
         """Return what is drawn, and how."""
         parts = [said("The bearing in section, to scale.")]
-        if not self.outside_known:
+        if not self.frame.outside_known:
             parts.append(said("Sizes of its rings are not known: they are drawn as usual."))
-        if self.deeper:
+        if self.frame.deeper:
             text = said("The profile of the rollers is drawn {times} times as deep.",
-                        times=number(self.deeper, 2))  # fmt: skip
+                        times=number(self.frame.deeper, 2))  # fmt: skip
             parts.append(text)
         arranged = getattr(self.case.bearing, "arrangement", None)
         if arranged:
@@ -515,6 +561,10 @@ class _Drawer:
         """Return what is drawn, and what acts on it."""
         acting = [f"{one.text}." for one in self.labels if one.kind in ("load", "speed")]
         return " ".join([*remark, *acting])
+
+
+def _on_side(points: Sequence[Point], side: float) -> tuple[Point, ...]:
+    return tuple((x, side * y) for x, y in points)
 
 
 def _known(name: str, *records: Any) -> float | None:

@@ -30,10 +30,12 @@ __all__ = [
     "MAXIMUM_GAMMA",
     "SELF_ALIGNING_CONFORMITY",
     "THRUST_CONFORMITY",
+    "THRUST_STATIC_CONFORMITY",
     "RatedType",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
     "dynamic_rating",
+    "self_aligning_static_factor",
     "static_factor",
     "static_factor_of_grooves",
     "static_rating",
@@ -66,7 +68,7 @@ SELF_ALIGNING_CONFORMITY: Final = 0.53
 """f_i behind the tables of self-aligning bearings."""
 THRUST_CONFORMITY: Final = 0.535
 """Conformity of both grooves, behind the table of ISO 281 for thrust bearings."""
-_THRUST_STATIC_CONFORMITY: Final = 0.54
+THRUST_STATIC_CONFORMITY: Final = 0.54
 """The same for ISO 76."""
 _PRESSURE: Final = 4200.0
 """MPa at the heaviest ball under the static rating (ISO 76, ball bearings but self-aligning)."""
@@ -115,10 +117,26 @@ def static_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
         return _interpolated("static", gamma)
     if kind == "thrust":
         return thrust_static_factor(gamma)
+    return self_aligning_static_factor(gamma)
+
+
+def self_aligning_static_factor(
+    gamma: ArrayLike, inner_conformity: ArrayLike = SELF_ALIGNING_CONFORMITY
+) -> FloatArray:
+    """Return f_0 of self-aligning bearings by Hertz, in N/mm².
+
+    Parameters
+    ----------
+    gamma
+        D cos α / d_m, 0 to 0.40; NaN outside.
+    inner_conformity
+        Above 0.5; 0.53 gives the numbers of the table.
+
+    ISO 76:2006, table 1: the heaviest ball presses one race with 4600 MPa.
+    """
     g = _within(gamma, 0.0, MAXIMUM_GAMMA)
-    inner = _load_at_pressure(
-        1.0 + g / (1.0 - g), np.full(np.shape(g), SELF_ALIGNING_CONFORMITY), _PRESSURE_SELF_ALIGNING
-    )
+    groove = _open_groove(inner_conformity, "inner_conformity")
+    inner = _load_at_pressure(1.0 + g / (1.0 - g), groove, _PRESSURE_SELF_ALIGNING)
     sphere = _sphere(np.maximum(g, _TINY))
     outer = _load_at_pressure(1.0 - g / (1.0 + g), sphere, _PRESSURE_SELF_ALIGNING)
     return np.asarray(np.minimum(inner, outer) / 5.0)
@@ -151,19 +169,22 @@ def thrust_dynamic_factor(
     return np.asarray(_DYNAMIC_THRUST * uneven * races * (2.0 * f / (2.0 * f - 1.0)) ** 0.41)
 
 
-def thrust_static_factor(gamma: ArrayLike) -> FloatArray:
+def thrust_static_factor(
+    gamma: ArrayLike, conformity: ArrayLike = THRUST_STATIC_CONFORMITY
+) -> FloatArray:
     """Return f_0 of thrust bearings by Hertz, in N/mm².
 
     Parameters
     ----------
     gamma
         D cos α / d_m, 0 (90°) to 0.40; NaN outside.
+    conformity
+        Of both grooves, above 0.5; 0.54 gives the numbers of the table.
 
-    ISO 76:2006, 5.2, with C_0a = f_0 Z D² sin α: the ball presses its inner groove of 0.54 with
-    4200 MPa.
+    ISO 76:2006, 5.2, with C_0a = f_0 Z D² sin α: the ball presses its inner groove with 4200 MPa.
     """
     g = _within(gamma, 0.0, MAXIMUM_GAMMA)
-    groove = np.full(np.shape(g), _THRUST_STATIC_CONFORMITY)
+    groove = _open_groove(conformity, "conformity")
     return _load_at_pressure(1.0 + g / (1.0 - g), groove, _PRESSURE)
 
 

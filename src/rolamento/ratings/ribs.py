@@ -23,7 +23,7 @@ from rolamento.validate import numbers
 
 RibLubricant = Literal["grease", "oil"]
 
-_NSK: Final = {"grease": (490.0, 1000.0, 0.023, 2.5), "oil": (900.0, 1500.0, 0.000135, 3.4)}
+_NSK: Final = {"grease": (900.0, 1500.0, 0.023, 2.5), "oil": (490.0, 1000.0, 0.000135, 3.4)}
 _NSK_SIZE: Final = {2: 0.75, 3: 1.0, 4: 1.2}
 """k by diameter series."""
 _NSK_MAXIMUM_BORE: Final = 0.2
@@ -58,9 +58,9 @@ def permissible_axial_load_nsk(
     interval
         f: 1 for a continuous load, 2 intermittent, 3 for a short time only.
 
-    Equations 5.34 and 5.35: 9.8 f {490 (k d)²/(n + 1000) - 0.023 (k d)^2.5} with grease, and
-    9.8 f {900 (k d)²/(n + 1500) - 0.000135 (k d)^3.4} with oil, d in mm and n in min⁻¹; never below
-    0.
+    Equations 5.34 and 5.35: 9.8 f {900 (k d)²/(n + 1500) - 0.023 (k d)^2.5} with grease, and
+    9.8 f {490 (k d)²/(n + 1000) - 0.000135 (k d)^3.4} with oil, d in mm and n in min⁻¹; never below
+    0. At rest both permit alike, within an eighth up to d = 120 mm: there the rib decides.
     """
     diameter = numbers(bore, "bore")
     kd = 1e3 * diameter * _NSK_SIZE.get(diameter_series, np.nan)

@@ -121,7 +121,7 @@ class _Race:
             whole = 0.75 * load[..., np.newaxis] * (_cubic(high) - _cubic(low)) / (2.0 * edge)
             inside = np.maximum(np.abs(x) - edge, 0.0) / half
             shape = np.sqrt(np.maximum(1.0 - inside**2, 0.0))
-        q = np.where(half > 0.0, whole, 0.0 * x)
+        q = np.where(half == 0.0, 0.0 * x, whole)  # not 0 where there is no result
         pressure = self.pressure[:, np.newaxis, np.newaxis] * cube * shape
         narrow = self.semi_minor[:, np.newaxis, np.newaxis] * cube * shape
         cut = (approach > self.limit[:, np.newaxis])[..., np.newaxis]

@@ -157,7 +157,7 @@ class SeatedBearing:
     def relative_speed(self) -> FloatArray:
         """Speed of the rings against each other, without a sign; (cases,), rad/s."""
         own = self.solved
-        return np.asarray(np.abs(own.field("duty.inner_speed") - own.field("duty.outer_speed")))
+        return own.relative_speed
 
 
 @frozen(eq=False)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
+from rolamento.case.case import lubricant_of
 from rolamento.case.duty import AXES, LOADS
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.geometry import Angle, Race
@@ -47,14 +48,20 @@ from rolamento.solved.tables import (
     taken,
 )
 from rolamento.status import INVALID_INPUT
+from rolamento.types import BALL
 from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    from rolamento.oil.state import OilState
+
 NO_LOAD: Final = 1e-9
 """Fraction of the load at the other race: what is less is rounding, and no contact."""
+
+ROOM_TEMPERATURE: Final = 293.15
+"""K, of an oil whose temperature is not known."""
 
 T = TypeVar("T")
 
@@ -69,10 +76,14 @@ class Delivered:
         with its mounting
     contact_angle
         nominal, 0 of rows given by their clearance; (cases, rows), rad
+    inner_conformity, outer_conformity
+        of the grooves, NaN of rollers; (cases, rows)
     """
 
     case: Case
     contact_angle: FloatArray
+    inner_conformity: FloatArray
+    outer_conformity: FloatArray
 
 
 @frozen(eq=False, slots=False)
@@ -156,9 +167,7 @@ class Solved:
             refusals=None if self.refusals is None else self.refusals.part(some),
             before_mounting=None
             if self.before_mounting is None
-            else replace(
-                self.before_mounting, contact_angle=self.before_mounting.contact_angle[some]
-            ),
+            else taken(self.before_mounting, some, shared=("case",)),
             preloading=vars(self).get("preload", self.preloading),
             written_notes=_chosen(self.written_notes, some),
             written_advice=_chosen(self.written_advice, some),
@@ -262,6 +271,25 @@ class Solved:
         """The contacts with the outer race."""
         return self.contacts["outer"]
 
+    @cached_property
+    def oil(self) -> OilState:
+        """The oil, or the base oil of the grease, at its temperature; NaN of dry lubrication.
+
+        Raises
+        ------
+        InputError
+            If the case has no lubricant.
+        """
+        from rolamento.oil.state import OilState, oil_state
+
+        lubricant = lubricant_of(self.case)
+        given = self.field("temperature.lubricant")
+        temperature = np.where(given > 1.0, given, ROOM_TEMPERATURE)  # 1: of one that is not valid
+        if lubricant.kind != "dry":
+            return oil_state(lubricant, temperature)
+        nothing = np.full_like(temperature, np.nan)
+        return OilState(temperature, nothing, nothing, nothing, nothing, nothing, float("nan"))
+
     def pressed_on(self, race: Race) -> tuple[FloatArray, Angle]:
         """Return load and angle of the contacts with a race, alone; (cases, elements), N and rad.
 
@@ -281,6 +309,32 @@ class Solved:
     def rollers(self) -> Rollers | None:
         """The rollers, slice by slice; None of a bearing that has balls only."""
         return self._tables.rollers
+
+    @cached_property
+    def relative_speed(self) -> FloatArray:
+        """Speed of the rings against each other, without a sign; (cases,), rad/s."""
+        return np.abs(self.field("duty.inner_speed") - self.field("duty.outer_speed"))
+
+    @cached_property
+    def are_rollers(self) -> BoolArray:
+        """Which elements are rollers; (elements,)."""
+        rollers = np.array([element != BALL for element in self.rows.element])
+        return np.asarray(rollers[self.rows.row_of_element])
+
+    @cached_property
+    def balls_bear(self) -> BoolArray:
+        """Whether an element is a ball that bears on both races; (cases, elements)."""
+        return self._bear & ~self.are_rollers
+
+    @cached_property
+    def rollers_bear(self) -> BoolArray:
+        """Whether an element is a roller that bears on both races; (cases, elements)."""
+        return self._bear & self.are_rollers
+
+    @cached_property
+    def _bear(self) -> BoolArray:
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self.loaded & (self._tables.outer.load > 0.0))
 
     @cached_property
     def loaded(self) -> BoolArray:

@@ -17,7 +17,6 @@ from rolamento.analysis.needs import has_friction, machines_known
 from rolamento.case import Case
 from rolamento.friction import Friction, friction
 from rolamento.friction.coefficient import SLIDING_BOUNDARY, coefficient_by_regime
-from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
 from rolamento.friction.summary import no_coefficient
 from rolamento.lubrication.films import film, has_film
@@ -278,7 +277,7 @@ def _controlled(solved: Solved) -> Controlled:
     nothing = np.full(len(solved), np.nan)
     if solved.rolling is None:
         return Controlled(nothing, nothing, nothing, nothing)
-    speed = np.abs(relative_speed(solved))
+    speed = solved.relative_speed
     with np.errstate(divide="ignore", invalid="ignore"):
         torque = np.where(speed > 0.0, solved.rolling.power / speed, np.nan)
     heaviest = np.argmax(np.nan_to_num(solved.inner.load), axis=1)[:, np.newaxis]

@@ -174,12 +174,11 @@ def _of_whole_bearings(solved: Solved) -> Mapping[str, Torque]:
 
 def _of_whole(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
     def compute(given: Evaluation) -> Floats:
-        from rolamento.friction.model import relative_speed
 
         found = given.of(_of_whole_bearings).get(model)
         if found is None:
             return np.full(len(given.solved), np.nan)
-        speed = np.abs(relative_speed(given.solved)) if attribute == "power" else 1.0
+        speed = given.solved.relative_speed if attribute == "power" else 1.0
         return np.where(given.solved.converged, found.total * speed, np.nan)
 
     return compute
@@ -234,7 +233,5 @@ def _pressure_slip(race: Race) -> Callable[[Evaluation], Floats]:
 
 def _of_loaded(solved: Solved, values: Floats) -> Floats:
     """Values of the balls that bear on both races, 0 of the others."""
-    from rolamento.friction.model import bears_on_both
-
     unloaded = np.where(np.isnan(solved.outer.load), np.nan, 0.0)
-    return np.where(bears_on_both(solved), values, unloaded)
+    return np.where(solved.balls_bear, values, unloaded)

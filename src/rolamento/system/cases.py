@@ -194,7 +194,7 @@ def spread(
     placed = []
     for index, place in enumerate(case.bearing.element_rows):
         of_row, bearing, varied = case.bearing.bearing_type, common, arrays
-        if case.bearing.kind is None:
+        if case.bearing.kind is None and place.bearing != case.bearing:
             of_row, own = place.bearing.bearing_type, case.bearing.own_fields(index)
             bearing = parameters_of(case.bearing, place.bearing, own, arrays)
         if states is not None:

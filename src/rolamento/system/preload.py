@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import isfinite
 from typing import Any, Final
 
@@ -76,17 +76,26 @@ def preload_of(case: Case, *, loss: bool = True) -> Preloading | None:
     preload = case.bearing.preload
     if preload is None:
         return None
+    at_rest, at_speed = _forces(case.without_load, frozenset(case.bearing.model_fields_set))
     given = _Given(case, {}, 1)
-    at_rest, at_speed = (
-        _without_load(given) if given.moving else _at(given, running=False).repeat(2)
-    )
     if not loss and given.loaded.any():
-        return Preloading(preload.kind, float(at_rest), float(at_speed))
+        return Preloading(preload.kind, at_rest, at_speed)
     # all balls of a row are alike under an axial load: the first takes its row along
     searches = np.array([False]) if given.axial[0] else np.array([False, True])
     found = _lost(given, np.zeros(len(searches), np.int64), searches)
     lost = (*_of_one(found, 0), *_of_one(found, -1))
-    return Preloading(preload.kind, float(at_rest), float(at_speed), *lost)
+    return Preloading(preload.kind, at_rest, at_speed, *lost)
+
+
+@lru_cache(maxsize=64)
+def _forces(case: Case, own: frozenset[str]) -> tuple[float, float]:
+    """Preload at rest and at speed of a case without a load; found once while the load changes.
+
+    own: the bearing's own fields, which cases that are equal may differ in.
+    """
+    given = _Given(case, {}, 1)
+    found = _without_load(given) if given.moving else _at(given, running=False).repeat(2)
+    return float(found[0]), float(found[1])
 
 
 def preload_at(solved: Solved, *, running: bool) -> FloatArray:

@@ -8,6 +8,7 @@ slide along x. Rows of one kind may be balanced in one go by kernels of their ow
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import reduce
 from typing import Final, TypeVar
 
 import numpy as np
@@ -32,7 +33,9 @@ SLIDE: Final = FIVE
 """The unknown of the spring-loaded outer rings: x of the second node."""
 JOINT: Final = SLIDE + 1
 """Unknowns of rows that are balanced in one go."""
+TILTS: Final = slice(3, FIVE)
 Unknowns = TypeVar("Unknowns", FloatArray, BoolArray)
+Values = TypeVar("Values", FloatArray, BoolArray)
 
 
 @frozen(eq=False)
@@ -117,47 +120,49 @@ class RowsOnRing:
     def _sound(self, chosen: Indices) -> BoolArray:
         """Which of some cases have numbers that can be solved."""
         cases = self.cases
-        given = np.where(cases.free, cases.load, cases.displacement)[chosen].sum(axis=1)
+        # each degree of freedom has a load or a displacement, and zero for the other
+        numbers = [cases.load.sum(axis=1), cases.displacement.sum(axis=1), *self.press]
         if self._sprung:
-            given = given + cases.preload_value[chosen]
-        sound = cases.valid[chosen] & np.isfinite(given)
-        sound &= np.isfinite(np.sum([press[chosen] for press in self.press], axis=0))
-        sound &= np.all([placed.row.valid[chosen] for placed in cases.rows], axis=0)
-        return np.asarray(sound)
+            numbers.append(cases.preload_value)
+        sound = cases.valid & np.isfinite(sum(numbers))
+        for placed in cases.rows:
+            sound &= placed.row.valid
+        return _some(sound, chosen)
 
     def _asked(self, chosen: Indices, near: bool = True) -> Asked:
         """Take some cases; near: begin at `Cases.start` where there is one."""
-        cases, rows = self.cases, [placed.row for placed in self.cases.rows]
+        cases, sizes = self.cases, self.cases.rows[0].row.sizes
         unknowns = FIVE * (2 if self._sprung else 1)
         n = len(chosen)
+        arm = _some(sizes.arm, chosen)[:, np.newaxis]
         arms = np.ones((n, unknowns))
-        arms[:, 3:5] = rows[0].sizes.arm[chosen, np.newaxis]
+        arms[:, TILTS] = arm
         free = np.zeros((n, unknowns), np.bool_)
-        target, held = np.zeros(free.shape), np.zeros(free.shape)
-        free[:, :FIVE] = cases.free[chosen]
-        target[:, :FIVE] = cases.load[chosen]
-        held[:, :FIVE] = cases.displacement[chosen]
+        target, start = np.zeros(free.shape), np.zeros(free.shape)
+        free[:, :FIVE] = _some(cases.free, chosen)
+        target[:, :FIVE] = _some(cases.load, chosen)
+        start[:, :FIVE] = _some(cases.displacement, chosen)
+        target[:, TILTS] /= arm
+        start[:, TILTS] *= arm
         if self._sprung:
-            free[:, SLIDE], target[:, SLIDE] = True, cases.preload_value[chosen]
-        target, held = target / arms, held * arms
-        touching = np.max([np.abs(press[chosen]) for press in self.press], axis=0) > 0.0
-        start = held + self._pushed(chosen, free & ~touching[:, np.newaxis], target)
+            free[:, SLIDE], target[:, SLIDE] = True, _some(cases.preload_value, chosen)
+        clamped = reduce(np.logical_or, [_some(press, chosen) != 0.0 for press in self.press])
+        self._push(start, chosen, free & ~clamped[:, np.newaxis], target)
         if near and cases.start is not None:
             place = cases.start[chosen] * arms[:, :FIVE]
             known = free[:, :FIVE] & np.isfinite(place).all(axis=1, keepdims=True)
             start[:, :FIVE] = np.where(known, place, start[:, :FIVE])
-        sizes = rows[0].sizes
-        sound = self._sound(chosen) & np.isfinite(start).all(axis=1)
+        sound = self._sound(chosen) & np.isfinite(start.sum(axis=1) + target.sum(axis=1))
         return Asked(
             chosen=chosen,
             arms=arms,
             free=free,
             target=target,
             start=start,
-            sound=sound & np.isfinite(target).all(axis=1) & ~cases.unconstrained[chosen],
-            longest=0.3 * sizes.reach[chosen],
-            limit=sizes.diameter[chosen],
-            reference=1.5e-6 * sizes.stiffness[chosen],
+            sound=sound & ~_some(cases.unconstrained, chosen),
+            longest=0.3 * _some(sizes.reach, chosen),
+            limit=_some(sizes.diameter, chosen),
+            reference=1.5e-6 * _some(sizes.stiffness, chosen),
         )
 
     def _by_network(self, asked: Asked) -> Rest:
@@ -179,9 +184,9 @@ class RowsOnRing:
             OnRing(
                 which=chosen,
                 ways=[placed.sign for placed in cases.rows],
-                levers=[placed.lever[chosen] for placed in cases.rows],
-                arms=[row.sizes.arm[chosen] for row in rows],
-                press=[press[chosen] for press in self.press],
+                levers=[_some(placed.lever, chosen) for placed in cases.rows],
+                arms=[_some(row.sizes.arm, chosen) for row in rows],
+                press=[_some(press, chosen) for press in self.press],
                 sprung=self._sprung,
                 free=_of_joint(asked.free),
                 target=_of_joint(asked.target),
@@ -234,11 +239,13 @@ class RowsOnRing:
         nearby[rows] = memory[settled]
         return steps, nearby
 
-    def _pushed(self, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:
-        """Where what is loose begins: pushed in by the load, for rows that touch are stiff."""
-        begin = np.zeros(target.shape)
+    def _push(
+        self, start: FloatArray, chosen: Indices, loose: BoolArray, target: FloatArray
+    ) -> None:
+        """Let what is loose begin pushed in by the load, for rows that touch are stiff."""
         if not (self._sprung or loose.any()):
-            return begin
+            return
+        begin = np.zeros(target.shape)
         sizes = [placed.row.sizes for placed in self.cases.rows]
         counts = [placed.row.element_count for placed in self.cases.rows]
         stiffness = np.sum(
@@ -257,13 +264,19 @@ class RowsOnRing:
             begin[:, SLIDE] = 2.0 * (target[:, SLIDE] / yielding) ** (2.0 / 3.0)
             into += np.where(axial == 0.0, 0.5 * begin[:, SLIDE], 0.0)
         begin[:, 0] = np.where(loose[:, 0], into, 0.0)
-        return begin
+        start += begin
+
+
+def _some(values: Values, chosen: Indices) -> Values:
+    """The values of some cases, in order; of all of them not a copy."""
+    return values if len(chosen) == len(values) else values[chosen]
 
 
 def _of_joint(values: Unknowns) -> Unknowns:
     """The unknowns of rows that are balanced in one go; zero where there is no slide."""
-    more = JOINT - values.shape[1]
-    return np.pad(values, ((0, 0), (0, more))) if more > 0 else values[:, :JOINT]
+    room = np.zeros((len(values), JOINT), values.dtype)
+    room[:, : values.shape[1]] = values[:, :JOINT]
+    return room
 
 
 def _of_network(values: FloatArray, unknowns: int) -> FloatArray:

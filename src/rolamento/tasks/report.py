@@ -35,7 +35,6 @@ from rolamento.solved import RACES
 from rolamento.solved.notes import (
     SPEED_LIMIT,
     TILT_LIMIT,
-    are_rollers,
     misalignment,
     pressure_limit,
     usual_misalignments,
@@ -732,7 +731,7 @@ def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple
 def _checks(analysis: Analysis) -> Iterator[Check]:
     """Limits that the models set themselves, and where a solved case stands."""
     solved = analysis.solved
-    rollers = are_rollers(solved)
+    rollers = solved.are_rollers
     for name, chosen, limit in (
         ("pressure", ~rollers, pressure_limit(solved.case)),
         ("line_pressure", rollers, PRESSURE_LIMIT),
@@ -756,16 +755,16 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
             if isfinite(own) and rating > 0.0:
                 yield Check(name, 0.0, own / rating, high=MAXIMUM_LOAD)
     if analysis.film is not None:
+        films = [analysis.film.of(race) for race in RACES]
+        known = np.concatenate([np.isfinite(one.central_thickness[0]) & ~rollers for one in films])
         for symbol, column in (
             ("U", "speed_parameter"),
             ("W", "load_parameter"),
             ("G", "material_parameter"),
             ("k", "ellipticity"),
         ):
-            values = np.concatenate([getattr(analysis.film.of(race), column)[0] for race in RACES])
-            thick = np.concatenate([analysis.film.of(race).central_thickness[0] for race in RACES])
-            points = ~np.tile(rollers, len(RACES))
-            values = values[np.isfinite(values) & np.isfinite(thick) & points]
+            values = np.concatenate([getattr(one, column)[0] for one in films])[known]
+            values = values[np.isfinite(values)]
             if values.size:
                 low, high = COMPUTED_RANGE[symbol]
                 least, greatest = float(values.min()), float(values.max())
@@ -786,7 +785,7 @@ def _brief_extremes(analysis: Analysis) -> dict[str, float]:
 def _extremes(analysis: Analysis) -> dict[str, Any]:
     """The heaviest contacts of a solved case, and what a page shows beside the tables."""
     solved = analysis.solved
-    loaded = {"balls": ~are_rollers(solved), "rollers": are_rollers(solved)}
+    loaded = {"balls": ~solved.are_rollers, "rollers": solved.are_rollers}
     found: dict[str, Any] = {
         f"loaded_{name}": int(solved.loaded[0, own].sum())
         for name, own in loaded.items()
@@ -796,7 +795,7 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
         for name in ("load", "max_pressure", "max_shear", "orthogonal_shear"):
             found[f"{race}_{name}"] = float(getattr(contacts, name)[0].max())
         place = int(np.argmax(contacts.max_pressure[0]))
-        found[f"{race}_{'roller' if are_rollers(solved)[place] else 'ball'}"] = place
+        found[f"{race}_{'roller' if solved.are_rollers[place] else 'ball'}"] = place
         found[f"{race}_azimuth"] = float(solved.elements.azimuth[0, place])
         for name in (
             "semi_major", "semi_minor", "contact_angle", "max_shear_depth",

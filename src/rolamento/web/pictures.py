@@ -60,7 +60,7 @@ from rolamento.pages.friction import power_unit, source_name, torque_unit
 from rolamento.pages.life import LONGEST_LIFE, hours_text, limiting_sentences
 from rolamento.records import frozen
 from rolamento.solved import RACES, Solved
-from rolamento.solved.notes import are_rollers, nothing_given
+from rolamento.solved.notes import nothing_given
 from rolamento.tasks.heat import balance_of
 from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS
@@ -167,7 +167,7 @@ def figures(
 
 
 def _kinds_of(solved: Solved) -> frozenset[str]:
-    rollers = are_rollers(solved)
+    rollers = solved.are_rollers
     kinds = {"ball": not rollers.all(), "roller": rollers.any(), "set": len(solved.rows) > 1}
     return frozenset(name for name, own in kinds.items() if own)
 
@@ -264,7 +264,7 @@ def _notes_of(cases: Cases, *keys: str) -> str:
 
 def _ellipses(cases: Cases) -> Picture:
     """Draw the ellipses where they lie across both grooves, to scale; the balls side by side."""
-    cases = [one for one in cases if not are_rollers(one.solved).any()]
+    cases = [one for one in cases if not one.solved.are_rollers.any()]
     if not cases:
         return empty(said("is for ball bearings: rollers touch along lines"))
     found = {

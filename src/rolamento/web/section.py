@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from html import escape
 from typing import TYPE_CHECKING, Final
 from zlib import crc32
@@ -64,6 +65,7 @@ def _svg(drawing: SectionDrawing, begins: str) -> str:
     return "".join(parts)
 
 
+@lru_cache(maxsize=256)
 def _path(points: tuple[tuple[float, float], ...]) -> str:
     return "M" + "L".join(f"{_MM * x:.3f} {-_MM * y:.3f}" for x, y in points)
 

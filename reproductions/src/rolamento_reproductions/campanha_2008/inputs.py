@@ -20,7 +20,7 @@ from rolamento.case.material import Material
 from rolamento.contact.hertz import HertzContact, effective_modulus, elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.life.iso281 import basic_rating_life, hours
-from rolamento.lubrication.oil_state import OilState, oil_state
+from rolamento.oil.state import OilState, oil_state
 from rolamento.units import MILLIMETRE, RPM
 from rolamento.verification import Check, campanha_2008
 from rolamento.verification.check import bearing_of, published, steel

@@ -11,7 +11,7 @@ from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.life.iso281_modified import fatigue_load_limit, life_modification_factor
 from rolamento.life.l_able import l_able, refusals
 from rolamento.life.reliability import reliability_factor
-from rolamento.lubrication.oil_state import viscosity_ratio
+from rolamento.oil.state import viscosity_ratio
 from rolamento.ratings import (
     dynamic_factor,
     dynamic_factor_of_grooves,

@@ -7,9 +7,9 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.lubrication.oil_state import reference_viscosity
 from rolamento.lubrication.regime import regime_of
 from rolamento.lubrication.roughness import rms_of_mean_roughness
+from rolamento.oil.state import reference_viscosity
 from rolamento.units import RPM
 from rolamento.vibration.anderon import velocity_of_anderons
 from rolamento_reproductions.campanha_2008.clearance import BEARINGS, measured_of

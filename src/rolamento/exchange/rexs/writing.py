@@ -38,7 +38,7 @@ from rolamento.exchange.rexs.reading import (
     parts_of,
 )
 from rolamento.exchange.rexs.values import attribute_of, plain_number, words
-from rolamento.lubrication.oil_state import oil_density, oil_state
+from rolamento.oil.state import oil_density, oil_state
 from rolamento.records import frozen
 from rolamento.types import BALL
 from rolamento.units import HOUR, ZERO_CELSIUS

@@ -71,10 +71,10 @@ def settle_abreast(one: OneCase, cage: float, near: float) -> float:
         lanes.begin_settling(own, min(balls - first, _LANES))
         passes = 0
         while _is_open(own) and passes < NEWTON_STEPS * (SHORTENINGS + 1):
-            lanes.evaluate_stiffness(w, own, bearing, k)
+            lanes.touch_ball_exact(w, own, bearing, k)
             lanes.settle_in_lane(w, own, k, near)
             passes += 1
-        lanes.evaluate_stiffness(w, own, bearing, k)
+        lanes.touch_ball_exact(w, own, bearing, k)
         lanes.sum_settled(w, own, k)
         ring.work[0] -= COST * (passes + 1)
         for lane in range(min(balls - first, _LANES)):

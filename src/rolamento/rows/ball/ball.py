@@ -39,13 +39,15 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.types import (
     Cage,
     Coefficients,
+    Contact,
     Five,
     Four,
     Linearised,
     Motion,
     Race,
-    Seven,
     StoredPolynomial,
+    Three,
+    Touching,
     Two,
 )
 
@@ -115,7 +117,7 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
         return y1 * inverse, up * inverse, length, inverse
 
     @inline
-    def contact(y1: float, y2: float, free_length: float, stiffness: Any) -> Seven:
+    def contact(y1: float, y2: float, free_length: float, stiffness: Any) -> Contact:
         """A Hertz spring along y: sin a, cos a, da/dt (1/|y|), approach, Q, dQ/d|y|, dQ/da.
 
         Beyond 90° the flanks are taken to go on straight up, for the sake of a force without
@@ -130,41 +132,62 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
         return s, c, turn, delta, value * power, 1.5 * value * root, -s * slope * power
 
     @inline
-    def inertia(
-        s_i: float,
-        c_i: float,
-        s_o: float,
-        c_o: float,
-        q_i: float,
-        motion: Motion,
-        cage: Cage,
-        sigma: float,
-        lambda_i: float,
-    ) -> tuple[Five, Five, Five, Five]:
-        """F_c, λ_i T and λ_o T, and the lag of the cage behind the ball, weighted by its load.
+    def own_orbit(inner: Contact, outer: Contact, motion: Motion, sigma: float) -> Three:
+        """The speed of a ball's orbit under raceway control, and its derivatives by a_i, a_o.
 
-        Each with its derivatives by a_i, a_o, Q_i and the cage's speed. sigma is +1 when the
-        outer race controls the ball and -1 when the inner race does; the other race is the slave.
-        c_f = m d_m / 2; c_g = J / (gamma' D) = m d_m / 10. The lag is h Q_i (ω_own - ω_cage).
+        sigma is +1 when the outer race controls the ball and -1 when the inner race does; the
+        other race is the slave.
         """
-        gamma, c_f, c_g, inner_speed, outer_speed, _ = motion
-        cage_speed, hold_rate, hold_offset, own = cage
-        outer = sigma > 0.0
-        s_slave = s_i if outer else s_o
-        c_slave = c_i if outer else c_o
-        control_speed = outer_speed if outer else inner_speed
+        s_i, c_i, s_o, c_o = inner[0], inner[1], outer[0], outer[1]
+        gamma, inner_speed, outer_speed = motion[0], motion[3], motion[4]
+        by_outer = sigma > 0.0
+        s_slave = s_i if by_outer else s_o
+        c_slave = c_i if by_outer else c_o
         turn = sigma * (inner_speed - outer_speed)
 
-        # the orbit under raceway control
         cosine = c_i * c_o + s_i * s_o
         sine = (s_i * c_o - c_i * s_o) * sigma if cosine > LEAST_COSINE else 0.0
         inverse = 1.0 / (1.0 + max(cosine, LEAST_COSINE))
         w = (1.0 - sigma * gamma * c_slave) * inverse
-        w_slave = (sigma * gamma * s_slave + w * sine) * inverse
-        w_control = -w * sine * inverse
-        lag = control_speed + turn * w - cage_speed
-        lag_i = turn * (w_slave if outer else w_control)
-        lag_o = turn * (w_control if outer else w_slave)
+        by_slave = turn * (sigma * gamma * s_slave + w * sine) * inverse
+        by_control = -turn * w * sine * inverse
+        speed = (outer_speed if by_outer else inner_speed) + turn * w
+        return speed, by_slave if by_outer else by_control, by_control if by_outer else by_slave
+
+    @inline
+    def touching(
+        a1: float,
+        a2: float,
+        x1: float,
+        x2: float,
+        inner: Race,
+        outer: Race,
+        motion: Motion,
+        sigma: float,
+    ) -> Touching:
+        """The contacts of a ball at X with the inner groove at A, and the orbit that it rolls on.
+
+        inner, outer: (free length L, K).
+        """
+        at_outer = contact(x1, x2, outer[0], outer[1])
+        at_inner = contact(a1 - x1, a2 - x2, inner[0], inner[1])
+        return at_inner, at_outer, own_orbit(at_inner, at_outer, motion, sigma)
+
+    @inline
+    def inertia(
+        touch: Touching, motion: Motion, cage: Cage, sigma: float
+    ) -> tuple[Five, Five, Five]:
+        """F_c, T, and the lag of the cage behind the ball, weighted by its load.
+
+        Each with its derivatives by a_i, a_o, Q_i and the cage's speed; sigma: as of `own_orbit`.
+        c_f = m d_m / 2; c_g = J / (gamma' D) = m d_m / 10. The lag is h Q_i (ω_own - ω_cage).
+        """
+        s_i, c_i, _, _, q_i, _, _ = touch[0]
+        s_o, c_o, _, _, _, _, _ = touch[1]
+        own_speed, lag_i, lag_o = touch[2]
+        _, c_f, c_g, inner_speed, outer_speed, _ = motion
+        cage_speed, hold_rate, hold_offset, own = cage
+        lag = own_speed - cage_speed
 
         # how firmly the inner ring holds the ball
         grip = min(max(q_i * hold_rate + hold_offset, 0.0), 1.0)
@@ -181,22 +204,22 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
         force_m = 2.0 * c_f * orbit
 
         # rolling on the race in control: the inner one as far as it holds the ball
-        on_outer = -c_g * orbit * (orbit - outer_speed)
-        on_inner = c_g * orbit * (orbit - inner_speed)
-        t = on_outer * s_o if outer else hold * on_inner * s_i
-        t_m = -c_g * (2.0 * orbit - outer_speed) * s_o
-        t_m = t_m if outer else hold * c_g * (2.0 * orbit - inner_speed) * s_i
-        t_i = t_m * orbit_i + (0.0 if outer else hold * on_inner * c_i)
-        t_o = t_m * orbit_o + (on_outer * c_o if outer else 0.0)
-        t_q = t_m * orbit_q + (0.0 if outer else hold_q * on_inner * s_i)
+        by_outer = sigma > 0.0
+        speed = outer_speed if by_outer else inner_speed
+        s = s_o if by_outer else hold * s_i
+        c = c_o if by_outer else hold * c_i
+        rolls = -sigma * c_g * orbit * (orbit - speed)
+        t = rolls * s
+        t_m = -sigma * c_g * (2.0 * orbit - speed) * s
+        t_i = t_m * orbit_i + (0.0 if by_outer else rolls * c)
+        t_o = t_m * orbit_o + (rolls * c if by_outer else 0.0)
+        t_q = t_m * orbit_q + (0.0 if by_outer else rolls * hold_q * s_i)
         t_c = t_m * orbit_c
 
         pull = q_i * hold
-        lambda_o = 2.0 - lambda_i
         return (
             (force, force_m * orbit_i, force_m * orbit_o, force_m * orbit_q, force_m * orbit_c),
-            (lambda_i * t, lambda_i * t_i, lambda_i * t_o, lambda_i * t_q, lambda_i * t_c),
-            (lambda_o * t, lambda_o * t_i, lambda_o * t_o, lambda_o * t_q, lambda_o * t_c),
+            (t, t_i, t_o, t_q, t_c),
             (pull * lag, pull * lag_i, pull * lag_o, (hold + q_i * hold_q) * lag, -pull),
         )
 
@@ -212,21 +235,12 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
 
     @inline
     def linearised(
-        a1: float,
-        a2: float,
-        x1: float,
-        x2: float,
-        inner: Race,
-        outer: Race,
-        motion: Motion,
-        cage: Cage,
-        sigma: float,
-        lambda_i: float,
+        touch: Touching, motion: Motion, cage: Cage, sigma: float, lambda_i: float
     ) -> Linearised:
         """The ball at X with the inner groove at A, and the ring's and the cage's view of it.
 
-        inner, outer: (free length L, K); motion: (gamma', c_f, c_g, inner speed, outer speed,
-        f_i D / R_i); cage: (its speed, and how it hands a ball over, as of `rows`). Returns
+        touch: as of `touching`; motion: (gamma', c_f, c_g, inner speed, outer speed, f_i D / R_i);
+        cage: (its speed, and how it hands a ball over, as of `rows`). Returns
 
         - the residual r,
         - the Newton step dX = q + W dA + z dω with which the ball follows the groove and the cage,
@@ -239,13 +253,15 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
         - f, h and the lag before the step q, and the lag's weight h Q_i.
         """
         arm = motion[5]
-        s_o, c_o, v_o, delta_o, q_o, kn_o, ka_o = contact(x1, x2, outer[0], outer[1])
-        s_i, c_i, v_i, delta_i, q_i, kn_i, ka_i = contact(a1 - x1, a2 - x2, inner[0], inner[1])
-        force, at_i, at_o, lagging = inertia(s_i, c_i, s_o, c_o, q_i, motion, cage, sigma, lambda_i)
+        s_i, c_i, v_i, delta_i, q_i, kn_i, ka_i = touch[0]
+        s_o, c_o, v_o, delta_o, q_o, kn_o, ka_o = touch[1]
+        force, turning, lagging = inertia(touch, motion, cage, sigma)
         f_c, f_c_i, f_c_o, f_c_q, f_c_c = force
-        m_i, m_i_i, m_i_o, m_i_q, m_i_c = at_i
-        m_o, m_o_i, m_o_o, m_o_q, m_o_c = at_o
+        t, t_i, t_o, t_q, t_c = turning
         lag, lag_i, lag_o, lag_q, lag_c = lagging
+        lambda_o = 2.0 - lambda_i
+        m_i, m_i_o, m_i_c = lambda_i * t, lambda_i * t_o, lambda_i * t_c
+        m_o, m_o_o, m_o_c = lambda_o * t, lambda_o * t_o, lambda_o * t_c
 
         f1 = q_i * s_i - m_i * c_i
         f2 = q_i * c_i + m_i * s_i
@@ -253,8 +269,9 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
         r2 = f2 - q_o * c_o - m_o * s_o + f_c
 
         # what depends on Y = (n, t): through the angle, t / |Y|, and through the load
-        m_i_n, m_i_t = m_i_q * kn_i, (m_i_i + m_i_q * ka_i) * v_i
-        m_o_n, m_o_t = m_o_q * kn_i, (m_o_i + m_o_q * ka_i) * v_i
+        t_n, t_t = t_q * kn_i, (t_i + t_q * ka_i) * v_i
+        m_i_n, m_i_t = lambda_i * t_n, lambda_i * t_t
+        m_o_n, m_o_t = lambda_o * t_n, lambda_o * t_t
         f_c_n, f_c_t = f_c_q * kn_i, (f_c_i + f_c_q * ka_i) * v_i
         lag_n, lag_t = lag_q * kn_i, (lag_i + lag_q * ka_i) * v_i
 
@@ -338,13 +355,18 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
             (f1, f2, f1 + arm * m_i, lag, -lag_c),
         )
 
-    return towards, contact, inertia, polar, linearised
+    return towards, contact, touching, inertia, polar, linearised
 
 
-_, contact_fast, inertia_fast, polar_fast, linearised_fast = _formulas(
+_, contact_fast, touching_fast, _, polar_fast, linearised_fast = _formulas(
     inline_fast, inline_fast(_short_polynomial)
 )
-*_, linearised_given = _formulas(inline_exact, inline_exact(_at_hand))
-towards_exact, contact_exact, inertia_exact, polar_exact, linearised_exact = _formulas(
-    inline_exact, stored_polynomial
-)
+_, _, touching_given, *_ = _formulas(inline_exact, inline_exact(_at_hand))
+(
+    towards_exact,
+    contact_exact,
+    touching_exact,
+    inertia_exact,
+    polar_exact,
+    linearised_exact,
+) = _formulas(inline_exact, stored_polynomial)

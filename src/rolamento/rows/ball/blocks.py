@@ -55,8 +55,8 @@ class Room(NamedTuple):
 
     rings (layout.RING_ROWS, lanes), and the same numbers in one row, w; b (balls, layout.BALL_ROWS
     * lanes): balls; holds, groupings (lanes): the case in each lane, or -1, and how often its balls
-    changed groups; errors (balls, 2): of the balls of a case, their residuals and scales; stiffness
-    (6 * lanes): of the contacts of a ball.
+    changed groups; errors (balls, 2): of the balls of a case, their residuals and scales; touch
+    (layout.TOUCH_ROWS * lanes): how a ball does.
     """
 
     rings: Array
@@ -65,7 +65,7 @@ class Room(NamedTuple):
     holds: Order
     groupings: Order
     errors: Array
-    stiffness: Array
+    touch: Array
 
 
 @shared
@@ -88,7 +88,7 @@ def room_for(balls: int) -> Room:
         np.full(_LANES, -1),
         np.zeros(_LANES, np.int64),
         np.zeros((balls, 2)),
-        in_lanes(1, 6)[0],
+        in_lanes(1, layout.TOUCH_ROWS)[0],
     )
 
 
@@ -388,7 +388,7 @@ def solve_static(
         if moving:
             for j in range(b.shape[0]):
                 lanes.place_ball(w, b[j])
-                lanes.settle_ball(w, b[j])
+                lanes.settle_ball(w, b[j], room.touch)
             for lane in range(count):
                 _read_positions(b, lane, position[order[block + lane]], batch.mirror.seats)
 
@@ -440,9 +440,9 @@ def solve_moving(
                 working += 1
 
         if tilting:
-            lanes.step_moving(w, b, batch.mirror, TOLERANCE)
+            lanes.step_moving(w, b, batch.mirror, room.touch, TOLERANCE)
         else:
-            lanes.step_moving_untilted(w, b, batch.mirror, TOLERANCE)
+            lanes.step_moving_untilted(w, b, batch.mirror, room.touch, TOLERANCE)
 
         for lane in range(_LANES):
             case = room.holds[lane]
@@ -514,7 +514,7 @@ def judge_blocks(
         for lane in range(count):
             if w[layout.REGROUPED * _LANES + lane] > 0.0:
                 _regroup(w, b, lane)
-        lanes.judge_balls(w, b, batch.mirror, batch.bearing, room.stiffness)
+        lanes.judge_balls(w, b, batch.mirror, batch.bearing, room.touch)
         lanes.weigh_ring(w)
         for j in range(b.shape[0]):
             lanes.weigh_ball(w, b[j])

@@ -24,11 +24,13 @@ from rolamento.rows.ball.accept import (
 from rolamento.rows.ball.ball import (
     contact_fast,
     horner,
+    linearised_exact,
     linearised_fast,
-    linearised_given,
     long_polynomial,
     polar_fast,
     short_polynomial,
+    touching_fast,
+    touching_given,
     towards_exact,
 )
 from rolamento.rows.ball.elimination import elimination
@@ -44,13 +46,13 @@ from rolamento.rows.ball.settle import (
 from rolamento.rows.ball.single import cage_part, changes_groove, is_rounding
 from rolamento.rows.ball.types import (
     Array,
-    Coefficients,
     Five,
     Linearised,
     Motion,
     Seven,
     Six,
     Three,
+    Touching,
     Two,
 )
 from rolamento.status import GREATEST_APPROACH
@@ -98,7 +100,9 @@ _INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
 _ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
 _TWO, _THREE, _FIVE = np.uintp(2), np.uintp(3), np.uintp(layout.DEGREES_OF_FREEDOM)
-_OUTER, _INNER = lanes(0), lanes(3)  # cos a, K and its slope, of either contact
+_INNER, _OUTER, _OWN_SPEED = (
+    lanes(row) for row in (layout.INNER_CONTACT, layout.OUTER_CONTACT, layout.OWN_SPEED)
+)
 _ROW = tuple(lanes(row) for row in range(layout.COEFFICIENTS))
 _RESET, _SUMS = lanes(layout.SUMS), np.uintp(layout.SUMS)
 
@@ -138,14 +142,21 @@ def _groove(w: Array, b: Array, i: int) -> Two:
     return a1, a2
 
 
-def _coefficients(w: Array, first: np.uintp, i: int) -> Coefficients:
-    """The seven coefficients of a contact's stiffness."""
+@inline_exact
+def _seven(w: Array, first: np.uintp, i: int) -> Seven:
+    """Seven numbers of a lane that follow each other."""
     return (
         w[first + i], w[first + _ROW[1] + i], w[first + _ROW[2] + i], w[first + _ROW[3] + i],
         w[first + _ROW[4] + i], w[first + _ROW[5] + i], w[first + _ROW[6] + i],
     )  # fmt: skip
 
 
+@inline_exact
+def _three(w: Array, first: np.uintp, i: int) -> Three:
+    return w[first + i], w[first + _ROW[1] + i], w[first + _ROW[2] + i]
+
+
+@inline_exact
 def _motion(w: Array, i: int) -> Motion:
     return (
         w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
@@ -153,10 +164,42 @@ def _motion(w: Array, i: int) -> Motion:
     )  # fmt: skip
 
 
-def _control(w: Array, b: Array, i: int) -> Two:
-    """Which race controls the ball, and λ of the inner one."""
-    sigma = b[_SIGMA + i]
-    return sigma, w[_LAMBDA_INNER + i] if sigma > 0.0 else 2.0
+@inline_exact
+def _put_three(w: Array, first: np.uintp, i: int, three: Three) -> None:
+    """Write three numbers of a lane that follow each other."""
+    w[first + i], w[first + _ROW[1] + i], w[first + _ROW[2] + i] = three
+
+
+@inline_exact
+def _put_touch(k: Array, i: int, touch: Touching) -> None:
+    """Write how a ball touches."""
+    inner, outer, own = touch
+    _put_three(k, _INNER, i, inner[:3])
+    _put_three(k, _INNER + _ROW[3], i, inner[3:6])
+    k[_INNER + _ROW[6] + i], k[_OUTER + _ROW[6] + i] = inner[6], outer[6]
+    _put_three(k, _OUTER, i, outer[:3])
+    _put_three(k, _OUTER + _ROW[3], i, outer[3:6])
+    _put_three(k, _OWN_SPEED, i, own)
+
+
+def _linearised(inline: Callable[..., Any], formula: Callable[..., Linearised]) -> Any:
+    """Build `ball.linearised` for a ball of a lane: how to compile it, and which form it has."""
+
+    @inline
+    def linearised(w: Array, b: Array, k: Array, i: int) -> Linearised:
+        """k: how it touches."""
+        touch = _seven(k, _INNER, i), _seven(k, _OUTER, i), _three(k, _OWN_SPEED, i)
+        cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+        sigma = b[_SIGMA + i]
+        lambda_i = w[_LAMBDA_INNER + i] if sigma > 0.0 else 2.0
+        ball: Linearised = formula(touch, _motion(w, i), cage, sigma, lambda_i)
+        return ball
+
+    return linearised
+
+
+_linearised_fast = _linearised(inline_fast, linearised_fast)
+_linearised_exact = _linearised(inline_exact, linearised_exact)
 
 
 def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
@@ -221,9 +264,6 @@ def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
 
 
 _groove_fast, groove_exact = inline_fast(_groove), inline_exact(_groove)
-_coefficients_fast, _coefficients_exact = inline_fast(_coefficients), inline_exact(_coefficients)
-_motion_fast, _motion_exact = inline_fast(_motion), inline_exact(_motion)
-_control_fast, _control_exact = inline_fast(_control), inline_exact(_control)
 
 
 @vector_loop
@@ -233,17 +273,20 @@ def reset_sums(w: Array) -> None:
         w[i] = 0.0
 
 
-@inline_fast
-def _linearised(w: Array, b: Array, i: int, a1: float, a2: float) -> Linearised:
-    """`ball.linearised` for a ball of the lane, the inner groove's centre at A."""
-    outer = (w[_L_O + i], _coefficients_fast(w, _K_O, i))
-    inner = (w[_L_I + i] + b[_OFF + i], _coefficients_fast(w, _K_I, i))
-    cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
-    sigma, lambda_i = _control_fast(w, b, i)
-    ball: Linearised = linearised_fast(
-        a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_fast(w, i), cage, sigma, lambda_i
-    )
-    return ball
+@vector_loop
+def touch_ball(w: Array, b: Array, k: Array) -> None:
+    """How a ball touches: k (layout.TOUCH_ROWS * LANES), for what is made of it next.
+
+    By itself: the processor sees some four hundred instructions ahead, and each eight cases wait
+    here for their own chain of roots and divisions.
+    """
+    for i in range(N):
+        a1, a2 = _groove_fast(w, b, i)
+        inner = (w[_L_I + i] + b[_OFF + i], _seven(w, _K_I, i))
+        outer = (w[_L_O + i], _seven(w, _K_O, i))
+        x1, x2 = b[_X1 + i], b[_X2 + i]
+        touch = touching_fast(a1, a2, x1, x2, inner, outer, _motion(w, i), b[_SIGMA + i])
+        _put_touch(k, i, touch)
 
 
 def _balls(tilting: bool, placed: float) -> tuple[Any, Any]:
@@ -259,24 +302,23 @@ def _balls(tilting: bool, placed: float) -> tuple[Any, Any]:
         """A ball without inertia: both contacts in series along the line of groove centres."""
         for i in range(N):
             a1, a2 = _groove_fast(w, b, i)
-            stiffness = _coefficients_fast(w, _K_S, i)
+            stiffness = _seven(w, _K_S, i)
             s, c, v, _, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
             k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, 0.0, q * v)
             force = (q * s, q * c, q * s)
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, (k11, k12, k21, k22, k11, k12))
 
     @vector_loop
-    def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
+    def add_touching_ball(w: Array, b: Array, k: Array, tolerance: float) -> None:
         """A ball in motion: its residual, its step, and the ring's view of it.
 
-        tolerance: of its residual, over its own greatest load. A step leaves a part of the square
-        of the residual over the load of the inner contact, which bends, and of its own square
-        over approach and groove's offset, where it turns the load.
+        k: how it touches. tolerance: of its residual, over its own greatest load. A step leaves a
+        part of the square of the residual over the load of the inner contact, which bends, and of
+        its own square over approach and groove's offset, where it turns the load.
         """
         for i in range(N):
-            a1, a2 = _groove_fast(w, b, i)
-            residual, follow, force, stiffness, scale, touch, drive, _ = _linearised(
-                w, b, i, a1, a2
+            residual, follow, force, stiffness, scale, touch, drive, _ = _linearised_fast(
+                w, b, k, i
             )
             r1, r2 = residual
             q1, q2, w11, w12, w21, w22, z1, z2 = follow
@@ -291,6 +333,12 @@ def _balls(tilting: bool, placed: float) -> tuple[Any, Any]:
             b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
             add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, stiffness)
             add_to_cage(w, i, b[_COS + i], b[_SIN + i], drive)
+
+    @filling
+    def add_moving_ball(w: Array, b: Array, k: Array, tolerance: float) -> None:
+        """Evaluate a ball in motion; k is room for how it touches."""
+        touch_ball(w, b, k)
+        add_touching_ball(w, b, k, tolerance)
 
     return add_static_ball, add_moving_ball
 
@@ -356,20 +404,32 @@ def _take(k: Array, contact: np.uintp, i: int, coefficient: float) -> None:
 
 
 @filling
-def evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
-    """K of a ball's contacts from as many coefficients as its bearing has, and its derivative.
+def touch_ball_exact(w: Array, b: Array, p: Array, k: Array) -> None:
+    """How a ball touches, in exact arithmetic, K from as many coefficients as its bearing has.
 
     As `ball.stored_polynomial` does. p: of the bearings, from layout.DUTY on: of one, or of more,
-    of which the lanes have seven coefficients; k (6 * LANES): cos a, K and dK/d(cos a), of the
-    outer contact and of the inner.
+    of which the lanes have seven coefficients; k: as of `touch_ball`.
     """
+    _evaluate_stiffness(w, b, p, k)
+    for i in range(N):
+        a1, a2 = groove_exact(w, b, i)
+        inner = (w[_L_I + i] + b[_OFF + i], (k[_INNER + N + i], k[_INNER + _TWO * N + i]))
+        outer = (w[_L_O + i], (k[_OUTER + N + i], k[_OUTER + _TWO * N + i]))
+        x1, x2 = b[_X1 + i], b[_X2 + i]
+        touch = touching_given(a1, a2, x1, x2, inner, outer, _motion(w, i), b[_SIGMA + i])
+        _put_touch(k, i, touch)
+
+
+@filling
+def _evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
+    """Cos a, K and dK/d(cos a) of a ball's contacts; p, k: as of `touch_ball_exact`."""
     for i in range(N):
         a1, a2 = groove_exact(w, b, i)
         x1, x2 = b[_X1 + i], b[_X2 + i]
         _, c_o, _, _ = towards_exact(x1, x2)
         _, c_i, _, _ = towards_exact(a1 - x1, a2 - x2)
-        _put(k, _OUTER, i, c_o, short_polynomial(c_o, _coefficients_exact(w, _K_O, i)))
-        _put(k, _INNER, i, c_i, short_polynomial(c_i, _coefficients_exact(w, _K_I, i)))
+        _put(k, _OUTER, i, c_o, short_polynomial(c_o, _seven(w, _K_O, i)))
+        _put(k, _INNER, i, c_i, short_polynomial(c_i, _seven(w, _K_I, i)))
     count = int(p[layout.TERMS - layout.DUTY, 0])
     if p.shape[1] > 1 or count == layout.COEFFICIENTS:
         return
@@ -421,29 +481,16 @@ def _take_in(
     _add_to_ring_exact(w, i, c, s, force, stiffness)
 
 
-@inline_exact
-def _given(w: Array, b: Array, k: Array, i: int, a1: float, a2: float) -> Linearised:
-    """`ball.linearised` in exact arithmetic; k: as `evaluate_stiffness` writes it."""
-    outer = (w[_L_O + i], (k[_OUTER + N + i], k[_OUTER + _TWO * N + i]))
-    inner = (w[_L_I + i] + b[_OFF + i], (k[_INNER + N + i], k[_INNER + _TWO * N + i]))
-    cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
-    sigma, lambda_i = _control_exact(w, b, i)
-    ball: Linearised = linearised_given(
-        a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_exact(w, i), cage, sigma, lambda_i
-    )
-    return ball
-
-
 @filling
 def judge_ball(w: Array, b: Array, k: Array) -> None:
     """A ball in motion as `accept.judge` sees it, to the last bit; what is wrong is UNSOUND.
 
-    k: of its contacts, as `evaluate_stiffness` writes it.
+    k: how it touches.
     """
     for i in range(N):
-        a1, a2 = groove_exact(w, b, i)
+        a1, _ = groove_exact(w, b, i)
         x1, x2, l_o = b[_X1 + i], b[_X2 + i], w[_L_O + i]
-        residual, _, force, stiffness, scale, touch, drive, before = _given(w, b, k, i, a1, a2)
+        residual, _, force, stiffness, scale, touch, drive, before = _linearised_exact(w, b, k, i)
         load, c_i, c_o, approach, s_i = touch
         b[_ERROR + i] = sqrt(residual[0] ** 2 + residual[1] ** 2)
         b[_SCALE + i] = scale
@@ -484,11 +531,10 @@ def begin_settling(b: Array, balls: int) -> None:
 def settle_in_lane(w: Array, b: Array, k: Array, near: float) -> None:
     """One trial of `settle`'s Newton's method for each ball that is open still.
 
-    k: of its contacts where it is, as `evaluate_stiffness` writes it; near: as of `settle`.
+    k: how it touches where it is; near: as of `settle`.
     """
     for i in range(N):
-        a1, a2 = groove_exact(w, b, i)
-        residual, follow, _, _, scale, _, _, _ = _given(w, b, k, i, a1, a2)
+        residual, follow, _, _, scale, _, _, _ = _linearised_exact(w, b, k, i)
         trial = sqrt(residual[0] ** 2 + residual[1] ** 2)
         better = 1.0 if trial < b[_MISS + i] else 0.0
         longest = LONGEST * w[_L_O + i]
@@ -525,8 +571,8 @@ def sum_settled(w: Array, b: Array, k: Array) -> None:
     One that this takes where no ball can be has failed. k: as of `settle_in_lane`.
     """
     for i in range(N):
-        a1, a2 = groove_exact(w, b, i)
-        _, follow, force, stiffness, scale, touch, drive, before = _given(w, b, k, i, a1, a2)
+        a1, _ = groove_exact(w, b, i)
+        _, follow, force, stiffness, scale, touch, drive, before = _linearised_exact(w, b, k, i)
         x1, x2 = b[_X1 + i] + follow[0], b[_X2 + i] + follow[1]
         slack = PLACE_SLACK * w[_L_O + i]
         side = 1.0 if a1 >= 0.0 else -1.0
@@ -545,15 +591,15 @@ def sum_settled(w: Array, b: Array, k: Array) -> None:
 
 @filling
 def judge_balls(w: Array, b: Array, mirror: Mirror, p: Array, k: Array) -> None:
-    """Judge all balls, those that have a mirror image first; p, k as of `evaluate_stiffness`."""
+    """Judge all balls, those that have a mirror image first; p, k as of `touch_ball_exact`."""
     start_cage(w, 1.0 if mirror.pairs == 0 else 0.5)
     for j in range(mirror.pairs):
-        evaluate_stiffness(w, b[j], p, k)
+        touch_ball_exact(w, b[j], p, k)
         judge_ball(w, b[j], k)
     if mirror.pairs > 0:
         reflect(w, mirror.factors)
     for j in range(mirror.pairs, b.shape[0]):
-        evaluate_stiffness(w, b[j], p, k)
+        touch_ball_exact(w, b[j], p, k)
         judge_ball(w, b[j], k)
 
 
@@ -621,16 +667,23 @@ def _inside(w: Array, i: int, a1: float, a2: float, x1: float, x2: float, reach:
 
 
 @vector_loop
-def settle_ball(w: Array, b: Array) -> None:
-    """Move a ball by its own step, ring and cage at rest; not where it would go astray."""
+def settle_touching_ball(w: Array, b: Array, k: Array) -> None:
+    """The same, k how it touches; not where it would go astray."""
     for i in range(N):
         a1, a2 = _groove_fast(w, b, i)
-        _, step, _, _, _, _, _, _ = _linearised(w, b, i, a1, a2)
+        _, step, _, _, _, _, _, _ = _linearised_fast(w, b, k, i)
         x1, x2, reach = _pressed(w, i, b[_X1 + i] + step[0], b[_X2 + i] + step[1])
         between, near = _inside(w, i, a1, a2, x1, x2, reach)
         stays = min(between, near) > 0.0
         b[_X1 + i] = x1 if stays else b[_X1 + i]
         b[_X2 + i] = x2 if stays else b[_X2 + i]
+
+
+@filling
+def settle_ball(w: Array, b: Array, k: Array) -> None:
+    """Move a ball by its own step, ring and cage at rest; k is room for how it touches."""
+    touch_ball(w, b, k)
+    settle_touching_ball(w, b, k)
 
 
 @vector_loop
@@ -770,7 +823,7 @@ def _first_place(w: Array, b: Array, i: int) -> Three:
     """
     a1, a2 = _groove_fast(w, b, i)
     c_f = w[_C_F + i]
-    stiffness = _coefficients_fast(w, _K_S, i)
+    stiffness = _seven(w, _K_S, i)
     l_o = w[_L_O + i]
     l_i = w[_L_I + i]
     s, c, inverse, _, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
@@ -870,18 +923,19 @@ def _steps(tilting: bool) -> tuple[Any, Any]:
         step_ring(w)
 
     @filling
-    def step_moving(w: Array, b: Array, mirror: Mirror, tolerance: float) -> None:
+    def step_moving(w: Array, b: Array, mirror: Mirror, k: Array, tolerance: float) -> None:
         """Newton's step of rings, cages and balls together.
 
-        SETTLED is what they were before it, to a tolerance of all residuals.
+        k is room for how a ball touches. SETTLED is what they were before it, to a tolerance of all
+        residuals.
         """
         reset_sums(w)
         for j in range(mirror.pairs):
-            add_moving_ball(w, b[j], tolerance)
+            add_moving_ball(w, b[j], k, tolerance)
         if mirror.pairs > 0:
             reflect(w, mirror.factors)
         for j in range(mirror.pairs, b.shape[0]):
-            add_moving_ball(w, b[j], tolerance)
+            add_moving_ball(w, b[j], k, tolerance)
         measure_ring(w)
         measure_cage(w)
         condense_cage(w)

@@ -24,7 +24,7 @@ SHIFTS: Final = 3  # of those, before the tilts
 APPLIED: Final = 0  # five loads: fx, fy, fz, my / R_i, mz / R_i
 IMPOSED: Final = 5  # five displacements: x, y, z, ry R_i, rz R_i
 FREE: Final = 10  # five flags: 1 where the load is given, 0 where the displacement is
-INNER_SPEED: Final = 15
+INNER_SPEED: Final = 15  # from here on what a row needs that is held by others
 OUTER_SPEED: Final = 16
 COS_FIRST: Final = 17  # azimuth of the first ball
 SIN_FIRST: Final = 18
@@ -111,6 +111,11 @@ TRIED: Final = PART + 1  # how often it was shortened
 TAKEN: Final = TRIED + 1  # steps
 FATE: Final = TAKEN + 1  # whether it has settled
 SETTLING_ROWS: Final = FATE + 1
+# --- how a ball touches (`ball.touching`) ------------------------------------------------------
+INNER_CONTACT: Final = 0  # sin a, cos a, da/dt, approach, Q, dQ/d|y|, dQ/da
+OUTER_CONTACT: Final = INNER_CONTACT + 7
+OWN_SPEED: Final = OUTER_CONTACT + 7  # of its own orbit, and its derivatives by a_i, a_o
+TOUCH_ROWS: Final = OWN_SPEED + 3
 
 
 def long_polynomial(row: int) -> int:

@@ -47,6 +47,8 @@ SPRINGS: Final = 9
 PRECISION: Final = 1e-10
 """Precision of the ring's exact balance, as `rolamento.system.ring` asks for it."""
 
+HELD: Final = layout.INNER_SPEED
+"""The first number of a duty that such a row needs: what loads and holds it is the ring's."""
 PRESS: Final = STAND_ROWS  # how far the clamped rings press a row in
 STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the ring
 
@@ -57,10 +59,11 @@ _LEVER: Final = set_lanes.LEVER
 class Rows(NamedTuple):
     """The rows of some cases; n of them.
 
-    duty (rows, layout.DUTY, n), bearing (rows, the rest of layout.COLUMN or more, n or 1): their
-    parameters; stand (rows, STANDING, n): how each stands on the ring; control (n or 1, balls of
-    all rows), cosines and sines (balls); ends (rows + 1): where the balls of a row begin;
-    directions (2, springs), spring_ends (rows + 1): of the few that stand for them at the start.
+    duty (rows, layout.DUTY - HELD, n), from HELD on, bearing (rows, the rest of layout.COLUMN or
+    more, n or 1): their parameters; stand (rows, STANDING, n): how each stands on the ring;
+    control (n or 1, balls of all rows), cosines and sines (balls); ends (rows + 1): where the balls
+    of a row begin; directions (2, springs), spring_ends (rows + 1): of the few that stand for them
+    at the start.
     """
 
     duty: Array
@@ -121,8 +124,8 @@ class Work(NamedTuple):
     (rows, layout.RING_ROWS, lanes)); of each ball (b), and of each that stands for some at the
     start (springs); holds: the case in each lane, and its steps. Of one row of one case: column,
     its parameters (parameters, 1); own, where it is held (5,); the sums over its balls, and their
-    errors (balls, 2). Of the judge in lanes: mirror, none; contacts (6 * lanes), their stiffness;
-    accepted (rows, lanes).
+    errors (balls, 2). Of a ball in lanes: touch (layout.TOUCH_ROWS * lanes), how it does. Of the
+    judge in lanes: mirror, none; accepted (rows, lanes).
     """
 
     s: Array
@@ -138,7 +141,7 @@ class Work(NamedTuple):
     ring: Ring
     errors: Array
     mirror: Mirror
-    contacts: Array
+    touch: Array
     accepted: NDArray[np.bool_]
 
     @classmethod
@@ -159,7 +162,7 @@ class Work(NamedTuple):
             ring=ring_around(balls, False),
             errors=np.zeros((balls, 2)),
             mirror=mirror(balls, 0),
-            contacts=in_lanes(1, 6)[0],
+            touch=in_lanes(1, layout.TOUCH_ROWS)[0],
             accepted=np.zeros((rows, _LANES), np.bool_),
         )
 
@@ -191,8 +194,9 @@ def _put_balls(work: Work, lane: int, rows: Rows, row: int, k: int) -> None:
 @inline_exact
 def _stand_alike(w: Array, lane: int, rows: Rows, row: int, k: int) -> bool:
     """Whether the balls of a case stand where those of the case before it in the lane did."""
-    same = w[layout.COS_FIRST * _LANES + lane] == rows.duty[row, layout.COS_FIRST, k]
-    same = same and w[layout.SIN_FIRST * _LANES + lane] == rows.duty[row, layout.SIN_FIRST, k]
+    duty = rows.duty[row]
+    same = w[layout.COS_FIRST * _LANES + lane] == duty[layout.COS_FIRST - HELD, k]
+    same = same and w[layout.SIN_FIRST * _LANES + lane] == duty[layout.SIN_FIRST - HELD, k]
     return bool(same and rows.control.shape[0] == 1)
 
 
@@ -234,7 +238,7 @@ def _fill(work: Work, lane: int, rows: Rows, asked: BalanceRequest, k: int) -> N
         for i in range(STAND_ROWS):
             work.v[row, i * _LANES + lane] = rows.stand[row, i, k]
         alike = _stand_alike(w, lane, rows, row, k)
-        put_numbers(w, 0, lane, rows.duty[row], k)
+        put_numbers(w, HELD, lane, rows.duty[row], k)
         if rows.bearing.shape[2] > 1:
             put_numbers(w, layout.DUTY, lane, rows.bearing[row], k)
         begin_lane(w, lane)
@@ -250,9 +254,9 @@ def _fill_all(work: Work, rows: Rows, block: int, count: int) -> None:
         w, alike = work.w[row], True
         for lane in range(count):
             alike = alike and _stand_alike(w, lane, rows, row, block + lane)
-        for i in range(layout.DUTY):
+        for i in range(rows.duty.shape[1]):
             for lane in range(count):
-                w[i * _LANES + lane] = rows.duty[row, i, block + lane]
+                w[(HELD + i) * _LANES + lane] = rows.duty[row, i, block + lane]
         if rows.bearing.shape[2] > 1:
             for lane in range(count):
                 put_numbers(w, layout.DUTY, lane, rows.bearing[row], block + lane)
@@ -346,7 +350,7 @@ def _settle_static(
             for row in range(w.shape[0]):
                 for j in range(rows.ends[row], rows.ends[row + 1]):
                     lanes.place_ball(w[row], b[j])
-                    lanes.settle_ball(w[row], b[j])
+                    lanes.settle_ball(w[row], b[j], work.touch)
             for lane in range(count):
                 for j in range(b.shape[0]):
                     read_position(b[j], lane, found.position[chosen[block + lane]], j)
@@ -387,7 +391,7 @@ def _settle_moving(
         for row in range(w.shape[0]):
             lanes.reset_sums(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
-                lanes.add_moving_ball(w[row], b[j], TOLERANCE)
+                lanes.add_moving_ball(w[row], b[j], work.touch, TOLERANCE)
             lanes.measure_cage(w[row])
             lanes.condense_cage(w[row])
             set_lanes.add_row(s, v[row], w[row])
@@ -444,7 +448,7 @@ def _judge_in_lanes(
         lanes.reset_sums(w)
         for j in range(z - a):
             lanes.mark_regrouped(w, b[j])
-        lanes.judge_balls(w, b, work.mirror, bearing, work.contacts)
+        lanes.judge_balls(w, b, work.mirror, bearing, work.touch)
         lanes.weigh_ring(w)
         for j in range(z - a):
             lanes.weigh_ball(w, b[j])
@@ -472,8 +476,8 @@ def _judge_row(
     column, ring, a, z = work.column, work.ring, rows.ends[row], rows.ends[row + 1]
     own = k if rows.bearing.shape[2] > 1 else 0
     control = rows.control[k if rows.control.shape[0] > 1 else 0]
-    for i in range(layout.DUTY):
-        column[i, 0] = rows.duty[row, i, k]
+    for i in range(rows.duty.shape[1]):
+        column[HELD + i, 0] = rows.duty[row, i, k]
     for i in range(rows.bearing.shape[1]):
         column[layout.DUTY + i, 0] = rows.bearing[row, i, own]
     one = OneCase(

@@ -18,6 +18,7 @@ from rolamento.rows.ball.problem import Columns, directions, ring_arms
 from rolamento.rows.ball.row import BallRow
 from rolamento.rows.ball.run import BallResponse, has_inertia
 from rolamento.rows.ball.set_blocks import (
+    HELD,
     PRESS,
     SPRINGS,
     STANDING,
@@ -151,16 +152,19 @@ class _Run:
         few = [min(count, SPRINGS) for count in counts]
         cosines, sines = np.concatenate([directions(count) for count in counts], axis=1)
         springs = np.concatenate([directions(count) for count in few], axis=1)
+        spring_ends = np.cumsum([0, *few])
         longest = max(len(p.bearing) for p in self.columns)
+        column = layout.DUTY + longest
         alike = all(p.bearing.shape[1] == 1 for p in self.columns)
 
-        kernel = ready(solve_sets)
+        kernel, ends = ready(solve_sets), self._ends
+        spare = list[Work]()
 
         def run(chosen: IntArray) -> None:
             first, last = int(chosen[0]), int(chosen[-1]) + 1
             # cases in a row are looked at, not copied
             some: Any = slice(first, last) if last - first == len(chosen) else chosen
-            duty = np.stack([p.duty[:, some] for p in self.columns])
+            duty = np.stack([p.duty[HELD:, some] for p in self.columns])
             bearing = np.zeros((len(self.rows), longest, 1 if alike else len(chosen)))
             for own, columns in zip(bearing, self.columns, strict=True):
                 part = columns.bearing
@@ -170,12 +174,12 @@ class _Run:
             parts = duty, self.stand[:, :, some], control
             duty, stand, control = map(np.ascontiguousarray, parts)
             rows = Rows(
-                duty, bearing, stand, control, cosines, sines, self._ends, springs,
-                np.cumsum([0, *few]),
+                duty, bearing, stand, control, cosines, sines, ends, springs, spring_ends,
             )  # fmt: skip
             asked = BalanceRequest(*(np.ascontiguousarray(one[some]) for one in self.asked))
-            work = Work.of(len(self.rows), len(cosines), sum(few), layout.DUTY + longest)
+            work = spare.pop() if spare else Work.of(len(self.rows), len(cosines), sum(few), column)
             kernel(rows, asked, moving, chosen, work, self.found)
+            spare.append(work)
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
         side_by_side(run, chunks, self.rows[0].threads)

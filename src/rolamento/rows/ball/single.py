@@ -19,6 +19,7 @@ from rolamento.rows.ball.ball import (
     linearised_exact,
     polar_exact,
     stored_polynomial,
+    touching_exact,
 )
 from rolamento.rows.ball.types import (
     Array,
@@ -49,8 +50,8 @@ class Ring(NamedTuple):
     the sum of Q_i.
     follow (balls, 6): W by rows and z, with which a ball follows its groove and the cage.
     work (1,): evaluations of a ball that may still be spent.
-    w (layout.RING_ROWS * LANES), b (blocks, layout.SETTLING_ROWS * LANES), k (6 * LANES), left
-    (balls,): room for balls that are settled side by side; no blocks where they are not.
+    w (layout.RING_ROWS * LANES), b (blocks, layout.SETTLING_ROWS * LANES), k (layout.TOUCH_ROWS *
+    LANES), left (balls,): room for balls that are settled side by side; no blocks elsewhere.
     """
 
     reaction: Array
@@ -100,7 +101,8 @@ def ring_around(balls: int, abreast: bool) -> Ring:
         np.zeros(5), np.zeros((5, 5)), np.zeros(5), np.zeros(1), np.zeros(5), np.zeros(1),
         np.zeros(1), np.zeros(1), np.zeros(5), np.zeros((balls, 6)), np.zeros(1),
         np.zeros(layout.RING_ROWS * lanes if abreast else 0),
-        np.zeros((blocks, layout.SETTLING_ROWS * lanes)), np.zeros(6 * lanes), np.zeros(balls),
+        np.zeros((blocks, layout.SETTLING_ROWS * lanes)),
+        np.zeros(layout.TOUCH_ROWS * lanes), np.zeros(balls),
     )  # fmt: skip
 
 
@@ -166,16 +168,16 @@ def balance_along(
     """The residual of a ball along its outer normal and across it, and its F_c."""
     inner = (inner_length(p, case, control), (p, layout.INNER_STIFFNESS, case))
     outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
-    s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
-    s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
     motion, handing_over, sigma, share = rolling(p, case, cage, control)
-    force, at_i, at_o, _ = inertia_exact(
-        s_i, c_i, s_o, c_o, q_i, motion, handing_over, sigma, share
-    )
+    touch = touching_exact(a1, a2, x1, x2, inner, outer, motion, sigma)
+    force, turning, _ = inertia_exact(touch, motion, handing_over, sigma)
+    s_i, c_i, _, _, q_i, _, _ = touch[0]
+    s_o, c_o, _, _, q_o, _, _ = touch[1]
+    at_i, at_o = share * turning[0], (2.0 - share) * turning[0]
     cosine = c_i * c_o + s_i * s_o
     sine = s_i * c_o - c_i * s_o
-    along = q_i * cosine + at_i[0] * sine - q_o + force[0] * c_o
-    across = q_i * sine - at_i[0] * cosine + at_o[0] - force[0] * s_o
+    along = q_i * cosine + at_i * sine - q_o + force[0] * c_o
+    across = q_i * sine - at_i * cosine + at_o - force[0] * s_o
     return along, across, force[0]
 
 
@@ -187,9 +189,8 @@ def linearised(
     inner = (inner_length(p, case, control), (p, layout.INNER_STIFFNESS, case))
     outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
     motion, handing_over, sigma, share = rolling(p, case, cage, control)
-    ball: Linearised = linearised_exact(
-        a1, a2, x1, x2, inner, outer, motion, handing_over, sigma, share
-    )
+    touch = touching_exact(a1, a2, x1, x2, inner, outer, motion, sigma)
+    ball: Linearised = linearised_exact(touch, motion, handing_over, sigma, share)
     return ball
 
 

@@ -25,6 +25,10 @@ StoredPolynomial: TypeAlias = tuple[Array, int, int]
 """Where such a polynomial stands: parameters, first row, case."""
 Race: TypeAlias = tuple[float, Any]
 """Free length L of a contact, and its stiffness in either form."""
+Contact: TypeAlias = Seven
+"""Sin a and cos a of a contact, da/dt, approach, Q, dQ/d|y| and dQ/da; see `ball.contact`."""
+Touching: TypeAlias = tuple[Contact, Contact, Three]
+"""Inner and outer contact of a ball, and the speed of its own orbit with its derivatives."""
 Motion: TypeAlias = Six
 """gamma', c_f, c_g, inner speed, outer speed, f_i D / R_i."""
 Cage: TypeAlias = Four

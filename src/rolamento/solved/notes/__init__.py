@@ -16,7 +16,6 @@ from rolamento.solved.notes.balls import jones_verdict, pressure_limit
 from rolamento.solved.notes.bearing import (
     SPEED_LIMIT,
     TILT_LIMIT,
-    are_rollers,
     misalignment,
     nothing_given,
     usual_misalignments,
@@ -30,7 +29,6 @@ __all__ = [
     "SPEED_LIMIT",
     "TILT_LIMIT",
     "advice_on",
-    "are_rollers",
     "jones_verdict",
     "misalignment",
     "notes_on",

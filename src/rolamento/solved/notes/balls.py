@@ -13,7 +13,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import ball_bearing
 from rolamento.geometry import edge_cosine
 from rolamento.kinematics import RacewayControl, friction_demand, jones_control
-from rolamento.solved.notes.bearing import are_rollers, turns, which_elements
+from rolamento.solved.notes.bearing import turns, which_elements
 from rolamento.words import Note
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def pressures(solved: Solved) -> Iterator[Note]:
     """Pressures on balls that indent the races."""
     limit = pressure_limit(solved.case)
     for race, contacts in solved.contacts.items():
-        over = (contacts.max_pressure[0] > limit) & ~are_rollers(solved)
+        over = (contacts.max_pressure[0] > limit) & ~solved.are_rollers
         if over.any():
             yield Note(
                 "contact_pressure_high",

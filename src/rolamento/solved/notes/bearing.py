@@ -78,7 +78,7 @@ def lost_contacts(solved: Solved) -> Iterator[Note]:
     if free.all():
         yield Note("no_ball_loaded" if solved.rollers is None else "no_element_loaded")
         return
-    free &= ~are_rollers(solved)
+    free &= ~solved.are_rollers
     if solved.case.bearing.bearing_type.has_arches:  # both rows of contacts are of the same balls
         free = np.tile(free.reshape(2, -1).all(axis=0), 2)
         free[len(free) // 2 :] = False
@@ -208,15 +208,9 @@ def nothing_given(solved: Solved) -> bool:
     return not (any(value and isfinite(value) for value in known) or solved.loaded[0].any())
 
 
-def are_rollers(solved: Solved) -> BoolArray:
-    """Which elements are rollers; (elements,)."""
-    kinds = np.array([element != "ball" for element in solved.rows.element])
-    return np.asarray(kinds[solved.elements.row])
-
-
 def which_elements(solved: Solved, chosen: BoolArray) -> dict[str, Any]:
     """Which balls or rollers of the first case a note is about; of a set also their rows."""
-    rollers = solved.rollers is not None and bool(are_rollers(solved)[chosen].any())
+    rollers = solved.rollers is not None and bool(solved.are_rollers[chosen].any())
     found = {
         "rollers" if rollers else "balls": np.flatnonzero(chosen).tolist(),
         "azimuths": solved.elements.azimuth[0, chosen].tolist(),

@@ -11,7 +11,6 @@ from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.numerics import FloatArray
 from rolamento.solved.notes.bearing import (
     RADIAL_SHARE,
-    are_rollers,
     misalignment,
     usual_misalignments,
     which_elements,
@@ -32,7 +31,7 @@ length."""
 
 def rollers_unloaded(solved: Solved) -> Iterator[Note]:
     """Rollers that the inner ring does not touch, in rows that it touches at all."""
-    free = ~solved.loaded[0] & are_rollers(solved)
+    free = ~solved.loaded[0] & solved.are_rollers
     free &= solved.loaded_elements[0, solved.elements.row] > 0
     if free.any():
         pressed = bool((solved.outer.load[0, free] > 0.0).any())
@@ -42,7 +41,7 @@ def rollers_unloaded(solved: Solved) -> Iterator[Note]:
 def line_pressures(solved: Solved) -> Iterator[Note]:
     """Pressures on rollers that indent the races."""
     for race, contacts in solved.contacts.items():
-        over = (contacts.max_pressure[0] > PRESSURE_LIMIT) & are_rollers(solved)
+        over = (contacts.max_pressure[0] > PRESSURE_LIMIT) & solved.are_rollers
         if over.any():
             greatest = float(contacts.max_pressure[0, over].max())
             values = {"race": race, "max_pressure": greatest, "limit": PRESSURE_LIMIT}
@@ -66,7 +65,7 @@ def on_part_of_the_length(solved: Solved) -> Iterator[Note]:
     """A most loaded roller that lies on a part of its length only."""
     rollers = solved.rollers
     assert rollers is not None
-    one = int(np.where(are_rollers(solved), solved.inner.load[0], -1.0).argmax())
+    one = int(np.where(solved.are_rollers, solved.inner.load[0], -1.0).argmax())
     loads = (rollers.inner.load_per_length[0, one], rollers.outer.load_per_length[0, one])
     share = min(float((load > 0.0).mean()) for load in loads)
     if 0.0 < share < _SHORT:
@@ -79,7 +78,7 @@ def ends(solved: Solved) -> Iterator[Note]:
     rollers = solved.rollers
     assert rollers is not None
     coupled = solved.case.model.roller_contact == "coupled"
-    loaded = solved.loaded[0] & are_rollers(solved)
+    loaded = solved.loaded[0] & solved.are_rollers
     found: list[tuple[float, dict[str, Any]]] = []
     for race, line in (("inner", rollers.inner), ("outer", rollers.outer)):
         end, inside = _end_and_inside(line.pressure[0])

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.case.lubricant import DEFAULT_CONDUCTIVITY, Lubricant
 from rolamento.numerics import FloatArray
 from rolamento.oil import (
     STANDARD_TEMPERATURE,
@@ -26,6 +25,11 @@ from rolamento.oil import (
 from rolamento.records import frozen
 from rolamento.validate import within
 
+if TYPE_CHECKING:
+    from rolamento.case.lubricant import Lubricant
+
+_USUAL_CONDUCTIVITY: Final = 0.145
+"""W/(m·K): usual of mineral oils, which are alike in this."""
 _SLOW: Final = 1000.0 * (1.0 - 1e-9)
 """r/min below which the formula changes: 1000, and rounding of a speed in rad/s does not decide.
 There ν_1 falls by 2.3 %; the formulas meet at 10^(100/33) = 1072 r/min."""
@@ -124,7 +128,7 @@ def oil_state(lubricant: Lubricant, temperature: ArrayLike) -> OilState:
         dynamic_viscosity=dynamic,
         pressure_viscosity=alpha,
         viscosity_temperature=viscosity_temperature_coefficient(warm, line),
-        thermal_conductivity=DEFAULT_CONDUCTIVITY if conductivity is None else conductivity,
+        thermal_conductivity=_USUAL_CONDUCTIVITY if conductivity is None else conductivity,
     )
 
 
