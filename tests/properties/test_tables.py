@@ -71,7 +71,8 @@ class Manner:
             text, delimiter=self.separator, lineterminator=self.ends, quoting=quoting
         )
         if self.separator == " ":  # blanks part cells, however many
-            for row in (heads, *rows):
+            units = [below] if all(below) else []  # a cell of nothing is none
+            for row in (heads, *units, *rows):
                 text.write("  ".join(row) + self.ends)
         else:
             writer.writerow(heads)

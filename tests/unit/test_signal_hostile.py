@@ -280,7 +280,7 @@ def doubles(size: int, content: bytes = bytes(80)) -> bytes:
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (matrix((2**31 - 1, 2**31 - 1), doubles(80)), "declares 3.436e.10 GB and has"),
+        (matrix((2**31 - 1, 2**31 - 1), doubles(80)), "declares 3.436e10 GB and has"),
         (matrix((-10, 1), doubles(80)), "is constant over 10 samples"),
         (matrix((-10, -1), doubles(80)), "is not a readable MATLAB file"),
         (matrix((10, 1), doubles(2**32 - 1)), "asks for more memory"),
@@ -314,7 +314,7 @@ def test_matlab_in_itself(tmp_path: Path) -> None:
 def test_hdf5_that_declares_too_much(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "a.h5", "w") as file:
         file.create_dataset("x", (10**15,), "f8", chunks=(1000,), compression="gzip")
-    refused(tmp_path / "a.h5", r"declares 7\.451e\+06 GB and has .* kB; a file may")
+    refused(tmp_path / "a.h5", r"declares 7\.451e6 GB and has .* kB; a file may")
     with h5py.File(tmp_path / "b.h5", "w") as file:
         file.create_dataset("x", (10**6,), "f8", chunks=(40_000_000,), maxshape=(None,))
     refused(tmp_path / "b.h5", '"x" has chunks of more than 64 MB')
@@ -415,7 +415,7 @@ def test_parquet_that_is_damaged(tmp_path: Path, place: str) -> None:
         (b"1;2\n3;4\n" + b"5" * 20_000_000, "has a line of more than 64 kB"),
         (b'"' * 60_000 + b"\n1;2\n", "."),
         (b'1;"2\n' * 20_000, "."),
-        (b"1\n" + b"9" * 59 + b"\n1e308\n", "must be finite numbers of magnitude up to 1e.60"),
+        (b"1\n" + b"9" * 59 + b"\n1e308\n", "must be finite numbers of magnitude up to 1e60"),
         (b"1\n2\n1e400\n", "1 of 3 samples are not finite numbers; the first is sample 2"),
         (b"1\nnan\n2\n", "1 of 3 samples are not finite numbers; the first is sample 1"),
         (b"1\n-inf\n2\n", "1 of 3 samples are not finite numbers"),
@@ -425,7 +425,7 @@ def test_parquet_that_is_damaged(tmp_path: Path, place: str) -> None:
         (b"dt: -0.01\nx\n1\n2\n", "rate: is not in the file"),
         (
             b"fs: 1e11\nx\n1\n2\n",
-            "rate = 100000000000.0: must be a number greater than 0 and at most 1e.09",
+            "rate = 100000000000.0: must be a number greater than 0 and at most 1e9",
         ),
         (b"time;x\n2;1\n1;2\n0;1\n", "does not increase from the first row to the last"),
         (b"time;x\n0;1\n1e308;2\n2e308;1\n", "does not increase from the first row to the last"),
@@ -493,7 +493,7 @@ def test_numbers_that_are_none(tmp_path: Path, name: str) -> None:
     for value, message in (
         (float("nan"), r"1 of 300 samples are not finite .* sample 7 .*0.07 s"),
         (float("-inf"), r"1 of 300 samples are not finite .* sample 7 "),
-        (1e308, r"must be finite numbers of magnitude up to 1e\+60; number 7 is not"),
+        (1e308, r"must be finite numbers of magnitude up to 1e60; number 7 is not"),
     ):
         wrong = SAMPLES.copy()
         wrong[7] = value
@@ -517,7 +517,7 @@ def test_rates_that_are_none(tmp_path: Path, rate: Any) -> None:
     np.save(tmp_path / "a.npy", SAMPLES)
     refused(
         tmp_path / "a.npy",
-        "rate = .*: must be a number greater than 0 and at most 1e.09",
+        "rate = .*: must be a number greater than 0 and at most 1e9",
         rate=rate,
     )
 

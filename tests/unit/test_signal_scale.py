@@ -104,7 +104,7 @@ def test_wav_of_16_bits_in_acceleration(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"scale": 0.0}, "scale = 0.0: must be a number of magnitude from 1e-15 to 1e.15 SI units"),
+        ({"scale": 0.0}, "scale = 0.0: must be a number of magnitude from 1e-15 to 1e15 SI units"),
         ({"scale": float("nan")}, "scale = nan: must be a number"),
         ({"scale": float("inf")}, "scale = inf: must be a number"),
         ({"scale": 1e308}, "scale = 1e.308: must be a number"),

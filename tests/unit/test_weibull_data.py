@@ -185,7 +185,7 @@ def test_the_unit_of_the_caller_wins() -> None:
         (InputError, "line 1: hours: occurs twice", "time,hours\n1,1\n"),
         (InputError, "two columns", "time,status,failed\n1,f,1\n"),
         (InputError, "has rig sizes besides counts or inspections", "time,size,count\n1,2,2\n"),
-        (FileError, "line 3: has 1 cells.*semicolons", "time,status\n1,f\n2\n"),
+        (FileError, "line 3: has 1 cell .*semicolons", "time,status\n1,f\n2\n"),
         (FileError, "line 2: has 3 cells", "time,status\n1,2,f\n"),
         (InputError, r'line 2: time = "1.23,5": must be a number', "time;status\n1.23,5;f\n"),
         (InputError, "decimal point", 'time,status\n"1,5",f\n'),

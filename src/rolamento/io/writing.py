@@ -192,4 +192,4 @@ def _put_in_place(unfinished: Path, target: Path, new: bool) -> None:
 
 
 def _megabytes(size: int) -> str:
-    return f"{size / 1e6:.4g} MB"
+    return said("{size:.4} MB", size=size / 1e6)
