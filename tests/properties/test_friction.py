@@ -120,7 +120,7 @@ def test_torque_is_power_to_a_millionth(bearing: Bearing, pressure: float) -> No
             motion.relative_motion(patch),
             0.1,
             rounding=motion.rounding,
-            mesh=ellipse_mesh().folded(),
+            mesh=ellipse_mesh().folded,
         )
         for patch in loaded_contacts(balls)[:2]
     ]

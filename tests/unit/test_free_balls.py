@@ -91,7 +91,7 @@ def test_the_kernel_runs_as_plain_python(balls: Solved) -> None:
     start = minimum_power.start_of(unit_motion(balls, np.ones(chosen.shape, np.int64)), chosen)
     free = np.ascontiguousarray(np.broadcast_to(np.eye(3), (*start.shape, 3)))
     contacts = np.stack([minimum_power.contact_numbers(patch) for patch in (inner, outer)])
-    coarse, fine = ellipse_mesh(6, 1).rows, ellipse_mesh(12, 3).folded().rows
+    coarse, fine = ellipse_mesh(6, 1).rows, ellipse_mesh(12, 3).folded.rows
     found = []
     for run in (move_free_balls, move_free_balls.compiled):
         motion, last, sharp = np.empty((2, 3)), np.empty((2, 2)), np.empty((2, 2, 2))
@@ -124,7 +124,7 @@ def test_balance_between_the_lines_as_plain_python_and_compiled(balls: Solved) -
 
 
 def test_a_mesh_in_rows_is_the_mesh() -> None:
-    mesh = ellipse_mesh(8, 5).folded()
+    mesh = ellipse_mesh(8, 5).folded
     u, square, weight = mesh.rows
     assert square.shape == weight.shape == (3, 8)
     np.testing.assert_array_equal(weight.T.ravel(), mesh.weight)

@@ -237,7 +237,7 @@ def test_mesh_carries_the_load_and_polynomials_exactly() -> None:
 
 @pytest.mark.parametrize("along", [4, 5])
 def test_folded_mesh_is_half_of_an_even_integral(along: int) -> None:
-    mesh, half = ellipse_mesh(9, along), ellipse_mesh(9, along).folded()
+    mesh, half = ellipse_mesh(9, along), ellipse_mesh(9, along).folded
     assert np.all(half.along > -1e-9)
     for g in (np.abs, np.cosh):
         whole = np.sum(mesh.weight * g(mesh.along) * np.exp(mesh.across))
