@@ -496,7 +496,7 @@ def test_scalars_and_the_case_s_own_values_fill_up() -> None:
     [
         ({"fxx": [1.0]}, UnknownKeyError, "fx"),
         ({"inner_sped": [1.0]}, UnknownKeyError, "inner_speed"),
-        ({"weight": [1.0]}, UnknownKeyError, "not a field that can vary; known: inner_speed, .*fx"),
+        ({"weight": [1.0]}, UnknownKeyError, "not a field that can vary; nearest: .*--list fields"),
         ({"load": [1.0]}, UnknownKeyError, "did you mean duty.load.fz"),
         ({"fx": [1.0, 2.0], "fz": [1.0]}, InputError, "one length"),
         ({"fx": [[1.0, 2.0]]}, InputError, "one-dimensional"),

@@ -41,7 +41,6 @@ from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import (
-    INNER_GROOVE,
     Ratings,
     UnratedError,
     has_steel_elements,
@@ -52,7 +51,7 @@ from rolamento.life.row_ratings import (
     within_rating,
 )
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.ratings import rated_as
+from rolamento.ratings import INNER_GROOVE, rated_as
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
 from rolamento.words import said

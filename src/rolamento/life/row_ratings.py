@@ -25,22 +25,15 @@ from rolamento.life.iso281_modified import (
 )
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
-    SELF_ALIGNING_CONFORMITY,
-    THRUST_STATIC_CONFORMITY,
     Rated,
     RatedType,
-    dynamic_factor,
-    dynamic_factor_of_grooves,
+    dynamic_factor_of_open_grooves,
     dynamic_rating,
     rated_as,
     roller_dynamic_rating,
     roller_static_rating,
-    self_aligning_static_factor,
-    static_factor,
-    static_factor_of_grooves,
+    static_factor_of_open_grooves,
     static_rating,
-    thrust_dynamic_factor,
-    thrust_static_factor,
 )
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
@@ -51,8 +44,6 @@ _ROW_SHARE: Final = 0.7
 """C of i equal rows of balls is i^0.7 times that of one."""
 _ROLLER_ROW_SHARE: Final = 7.0 / 9.0
 _SAME: Final = 1e-9
-INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
-"""Conformities of radial bearings up to which the factors hold; ISO 281:2007, 5.1."""
 
 
 class UnratedError(InputError):
@@ -283,8 +274,8 @@ def _by_geometry(
         return np.stack(columns, axis=1), static
     inner, outer = nominal_conformities(solved)
     grooves = inner[:, own], outer[:, own]
-    factor = _groove_factor(inside[1], around[0], grooves, around[1], kind)
-    lower = _static_groove_factor(inside[1], around[0], grooves, around[1], kind)
+    factor = dynamic_factor_of_open_grooves(inside[1], around[0], grooves, around[1], kind)
+    lower = static_factor_of_open_grooves(inside[1], around[0], grooves, around[1], kind)
     static = static_rating(*inside, *around, kind=kind, factor=lower)
     return dynamic_rating(*inside, *around, kind=kind, factor=factor), static
 
@@ -391,48 +382,3 @@ def _rating_or(value: ArrayLike | None, computed: FloatArray, together: float) -
     if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(computed))):
         raise InputError(said("must be one number, or one for each case"), field="rating")
     return np.broadcast_to(column, computed.shape).copy()
-
-
-def _groove_factor(
-    diameter: FloatArray,
-    pitch: FloatArray,
-    grooves: tuple[FloatArray, FloatArray],
-    angle: FloatArray,
-    kind: RatedType,
-) -> FloatArray:
-    """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
-    if rated_as(kind)["axial"]:
-        ratio, most = diameter / pitch, rated_as(kind)["conformities"][0]
-        opened = thrust_dynamic_factor(ratio, angle, np.maximum(most, np.maximum(*grooves)))
-        full = thrust_dynamic_factor(ratio, angle, most)
-        return np.asarray(thrust_dynamic_factor(ratio, angle) * opened / full)
-    gamma = diameter * np.cos(angle) / pitch
-    if kind != "radial":
-        own, least = grooves[0], SELF_ALIGNING_CONFORMITY
-        lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
-        return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))
-    inner = np.maximum(grooves[0], INNER_GROOVE)
-    outer = np.maximum(grooves[1], OUTER_GROOVE)
-    full = dynamic_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
-    return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
-
-
-def _static_groove_factor(
-    diameter: FloatArray,
-    pitch: FloatArray,
-    grooves: tuple[FloatArray, FloatArray],
-    angle: FloatArray,
-    kind: RatedType,
-) -> FloatArray:
-    """f_0 likewise: ISO 76 has it reduced for grooves that are more open than its table takes."""
-    gamma = diameter * np.where(angle >= 0.5 * np.pi, 0.0, np.cos(angle)) / pitch
-    if kind == "thrust":
-        return thrust_static_factor(
-            gamma, np.maximum(THRUST_STATIC_CONFORMITY, np.maximum(*grooves))
-        )
-    if kind == "self_aligning":
-        return self_aligning_static_factor(gamma, np.maximum(SELF_ALIGNING_CONFORMITY, grooves[0]))
-    inner = np.maximum(grooves[0], INNER_GROOVE)
-    outer = np.maximum(grooves[1], OUTER_GROOVE)
-    full = static_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
-    return np.asarray(static_factor(gamma) * static_factor_of_grooves(gamma, inner, outer) / full)

@@ -8,17 +8,21 @@ from typing import Any
 
 from rolamento.io.data import toml_of
 from rolamento.ratings.balls import (
+    INNER_GROOVE,
     MAXIMUM_GAMMA,
+    OUTER_GROOVE,
     SELF_ALIGNING_CONFORMITY,
     THRUST_CONFORMITY,
     THRUST_STATIC_CONFORMITY,
     RatedType,
     dynamic_factor,
     dynamic_factor_of_grooves,
+    dynamic_factor_of_open_grooves,
     dynamic_rating,
     self_aligning_static_factor,
     static_factor,
     static_factor_of_grooves,
+    static_factor_of_open_grooves,
     static_rating,
     thrust_dynamic_factor,
     thrust_static_factor,
@@ -42,7 +46,9 @@ def rated_as(kind: Rated) -> dict[str, Any]:
 
 
 __all__ = [
+    "INNER_GROOVE",
     "MAXIMUM_GAMMA",
+    "OUTER_GROOVE",
     "SELF_ALIGNING_CONFORMITY",
     "THRUST_CONFORMITY",
     "THRUST_STATIC_CONFORMITY",
@@ -51,6 +57,7 @@ __all__ = [
     "RollerRated",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
+    "dynamic_factor_of_open_grooves",
     "dynamic_rating",
     "rated_as",
     "roller_dynamic_factor",
@@ -60,6 +67,7 @@ __all__ = [
     "self_aligning_static_factor",
     "static_factor",
     "static_factor_of_grooves",
+    "static_factor_of_open_grooves",
     "static_rating",
     "thrust_dynamic_factor",
     "thrust_static_factor",

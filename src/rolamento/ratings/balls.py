@@ -27,17 +27,21 @@ from rolamento.numerics.ellipse import ellipse_of_log_ratio
 from rolamento.validate import numbers
 
 __all__ = [
+    "INNER_GROOVE",
     "MAXIMUM_GAMMA",
+    "OUTER_GROOVE",
     "SELF_ALIGNING_CONFORMITY",
     "THRUST_CONFORMITY",
     "THRUST_STATIC_CONFORMITY",
     "RatedType",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
+    "dynamic_factor_of_open_grooves",
     "dynamic_rating",
     "self_aligning_static_factor",
     "static_factor",
     "static_factor_of_grooves",
+    "static_factor_of_open_grooves",
     "static_rating",
     "thrust_dynamic_factor",
     "thrust_static_factor",
@@ -50,6 +54,8 @@ ones, and thrust bearings (their C and C_0 are axial)."""
 MAXIMUM_GAMMA: Final = 0.40
 """The maximum D cos α / d_m of the standards' tables."""
 
+INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
+"""Conformities of radial bearings up to which the factors hold; ISO 281:2007, 5.1."""
 _LARGE_BALL: Final = 25.4
 """Ball diameter in mm above which the dynamic rating grows with D^1.4 (ISO 281)."""
 _LARGE_BALL_FACTOR: Final = 3.647
@@ -238,6 +244,65 @@ def static_factor_of_grooves(
         1.0 - g / (1.0 + g), _open_groove(outer_conformity, "outer_conformity"), _PRESSURE
     )
     return np.asarray(np.minimum(inner, outer) / 5.0)
+
+
+def dynamic_factor_of_open_grooves(
+    diameter: FloatArray,
+    pitch: FloatArray,
+    grooves: tuple[FloatArray, FloatArray],
+    angle: FloatArray,
+    kind: RatedType = "radial",
+) -> FloatArray:
+    """Return f_c of the table, lowered for grooves that are more open than it takes, never raised.
+
+    Parameters
+    ----------
+    diameter, pitch
+        D and d_m, in the same unit.
+    grooves
+        f_i and f_o, above 0.5; of thrust bearings both washers'.
+    angle
+        α in rad.
+    kind
+        what is rated.
+
+    ISO 281:2007, 5.1: ratings of more open grooves are to be reduced; by the closed form.
+    """
+    if kind == "thrust":
+        ratio, openest = diameter / pitch, np.maximum(*grooves)
+        opened = thrust_dynamic_factor(ratio, angle, np.maximum(THRUST_STATIC_CONFORMITY, openest))
+        full = thrust_dynamic_factor(ratio, angle, THRUST_STATIC_CONFORMITY)
+        return np.asarray(thrust_dynamic_factor(ratio, angle) * opened / full)
+    gamma = diameter * np.cos(angle) / pitch
+    if kind == "self_aligning":
+        own, least = grooves[0], SELF_ALIGNING_CONFORMITY
+        lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
+        return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))
+    inner, outer = np.maximum(grooves[0], INNER_GROOVE), np.maximum(grooves[1], OUTER_GROOVE)
+    full = dynamic_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
+    return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
+
+
+def static_factor_of_open_grooves(
+    diameter: FloatArray,
+    pitch: FloatArray,
+    grooves: tuple[FloatArray, FloatArray],
+    angle: FloatArray,
+    kind: RatedType = "radial",
+) -> FloatArray:
+    """Return f_0 likewise, in N/mm²; parameters as of `dynamic_factor_of_open_grooves`.
+
+    ISO 76:2006: ratings of more open grooves are to be reduced; by the closed form.
+    """
+    gamma = diameter * np.where(angle >= _RIGHT, 0.0, np.cos(angle)) / pitch
+    if kind == "thrust":
+        openest = np.maximum(THRUST_STATIC_CONFORMITY, np.maximum(*grooves))
+        return thrust_static_factor(gamma, openest)
+    if kind == "self_aligning":
+        return self_aligning_static_factor(gamma, np.maximum(SELF_ALIGNING_CONFORMITY, grooves[0]))
+    inner, outer = np.maximum(grooves[0], INNER_GROOVE), np.maximum(grooves[1], OUTER_GROOVE)
+    full = static_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
+    return np.asarray(static_factor(gamma) * static_factor_of_grooves(gamma, inner, outer) / full)
 
 
 def dynamic_rating(
