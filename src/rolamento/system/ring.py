@@ -135,10 +135,10 @@ class RowsOnRing:
         unknowns = FIVE * (2 if self._sprung else 1)
         n = len(chosen)
         arm = _some(sizes.arm, chosen)[:, np.newaxis]
-        arms = np.ones((n, unknowns))
-        arms[:, TILTS] = arm
-        free = np.zeros((n, unknowns), np.bool_)
-        target, start = np.zeros(free.shape), np.zeros(free.shape)
+        arms = _zeros(n, unknowns)
+        arms[...], arms[:, TILTS] = 1.0, arm
+        free = np.zeros((unknowns, n), np.bool_).T
+        target, start = _zeros(n, unknowns), _zeros(n, unknowns)
         free[:, :FIVE] = _some(cases.free, chosen)
         target[:, :FIVE] = _some(cases.load, chosen)
         start[:, :FIVE] = _some(cases.displacement, chosen)
@@ -274,9 +274,14 @@ def _some(values: Values, chosen: Indices) -> Values:
 
 def _of_joint(values: Unknowns) -> Unknowns:
     """The unknowns of rows that are balanced in one go; zero where there is no slide."""
-    room = np.zeros((len(values), JOINT), values.dtype)
+    room = _zeros(len(values), JOINT).astype(values.dtype, copy=False)
     room[:, : values.shape[1]] = values[:, :JOINT]
     return room
+
+
+def _zeros(cases: int, unknowns: int) -> FloatArray:
+    """Zeros (cases, unknowns); the cases of an unknown stand together, as of `Cases.load`."""
+    return np.zeros((unknowns, cases)).T
 
 
 def _of_network(values: FloatArray, unknowns: int) -> FloatArray:
