@@ -11,10 +11,10 @@ import numpy as np
 
 import rolamento
 from benchmarks import duty_sets
-from benchmarks.duty_sets import Floats
 from benchmarks.figures import Figure, Findings, Target, alternately, at_least, seconds
-from rolamento.numerics.compiled import shared
+from rolamento.numerics.compiled import filling
 from rolamento.rows.ball import lanes, layout
+from rolamento.rows.ball.blocks import Room, room_for
 from rolamento.rows.ball.run import solve_columns
 from rolamento.solved import Solved
 from rolamento.system import spread
@@ -95,36 +95,35 @@ def measure_kernels(cases: int, repeats: int) -> Findings:
 
 def ball_evaluation(repeats: int, passes: int = 2000) -> float:
     """Nanoseconds for one ball of one case in `lanes.add_moving_ball`, all lanes at work."""
-    w, b = _filled_lanes()
-    touch = np.zeros(layout.TOUCH_ROWS * layout.LANES)
+    room = _filled_lanes()
 
     def run() -> None:
-        _pass_over_balls.compiled(w, b, touch, passes)
+        _pass_over_balls.compiled(room, passes)
 
     run()
-    return 1e9 * seconds(run, repeats) / (passes * b.shape[0] * layout.LANES)
+    return 1e9 * seconds(run, repeats) / (passes * room.b.shape[0] * layout.LANES)
 
 
-@shared
-def _pass_over_balls(w: Floats, b: Floats, k: Floats, passes: int) -> None:
+@filling
+def _pass_over_balls(room: Room, passes: int) -> None:
     for _ in range(passes):
-        lanes.reset_sums(w)
-        for j in range(b.shape[0]):
-            lanes.add_moving_ball(w, b[j], k, 1e-5)
+        lanes.reset_sums(room.w)
+        for j in range(room.b.shape[0]):
+            lanes.add_moving_ball(room.w, room.b[j], room.touch, 1e-5)
 
 
-def _filled_lanes() -> tuple[Floats, Floats]:
-    """The workspace of the ring and of its balls, one solved case of the duty set in each lane."""
+def _filled_lanes() -> Room:
+    """Room of the kernels, one solved case of the duty set in each lane."""
     case = duty_sets.example()
     p = spread(case, duty_sets.tilts_held(layout.LANES)).rows[0].row.p
     balls = case.bearing.ball_count
     solution = solve_columns(p, np.ones((1, balls)), balls, threads=1)
     azimuth = 2.0 * np.pi * np.arange(balls)[:, np.newaxis] / balls
-    ring = np.zeros((layout.RING_ROWS, layout.LANES))
-    ring[: layout.PARAMETERS] = p.whole()[: layout.PARAMETERS]
-    ring[layout.DISPLACEMENT : layout.DISPLACEMENT + 5] = solution.displacement.T
-    ball = np.zeros((balls, layout.BALL_ROWS, layout.LANES))
+    room = room_for(balls)
+    room.rings[: layout.PARAMETERS] = p.whole()[: layout.PARAMETERS]
+    room.rings[layout.DISPLACEMENT : layout.DISPLACEMENT + 5] = solution.displacement.T
+    ball = room.b.reshape(balls, layout.BALL_ROWS, layout.LANES)
     ball[:, layout.COS], ball[:, layout.SIN] = np.cos(azimuth), np.sin(azimuth)
     ball[:, layout.SIGMA] = 1.0
     ball[:, layout.POSITION : layout.POSITION + 2] = solution.position.transpose(1, 2, 0)
-    return ring.ravel(), ball.reshape(balls, -1)
+    return room
