@@ -39,8 +39,6 @@ def test_a_page_goes_to_the_terminal_and_to_files() -> None:
     done = run(*FREQUENCIES, "--report", "a.html", "--xlsx", "a.xlsx", "--csv", "a.csv")
     assert done.exit_code == 0
     assert "29.95" in done.stdout
-    assert done.stdout.endswith("\nWrote a.html\nWrote a.csv\nWrote a.xlsx\n")
-    assert "Wrote" not in run(*FREQUENCIES, "--report", "a.html", "--json").stdout
     assert run("report", "6305", "--fr", "2 kN", "-o", "r.md").stdout == "Wrote r.md\n"
     assert Path("a.html").read_text("utf-8").startswith("<!DOCTYPE html>")
     assert "lines" in openpyxl.load_workbook("a.xlsx").sheetnames

@@ -87,8 +87,7 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 put(content if isinstance(content, str) else content.decode("utf-8-sig"), target)
             elif target is not None:
                 asked.write(found, target)
-            written = [] if target is None or asked.says_written else [target]
-            written += _write(asked, found, files)
+            _write(asked, found, files)
             if STANDARD_STREAM in others.values() and asked.has_result(found):
                 json = STANDARD_STREAM  # what another target holds is its JSON
             if json is not None:
@@ -98,9 +97,8 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 outputs.show(lambda: asked.page(found), *elsewhere, report=asked.report(found))
             if STANDARD_STREAM not in elsewhere:
                 print_text(asked.closing(found))
-                written += [path for path in (json, *outputs.files().values()) if path is not None]
-                if outputs.csv != STANDARD_STREAM:
-                    print_text("".join(said("Wrote {path}", path=one) + "\n" for one in written))
+                if target is not None and not (has_page or asked.says_written):
+                    print_text(said("Wrote {path}", path=target) + "\n")
             complaint = asked.complaint(found)
             if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *elsewhere)):
                 for line in complaint.splitlines():
@@ -320,9 +318,8 @@ def _run(asked: Request) -> Any:
         return asked.run()
 
 
-def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> list[str]:
-    """Write the files that the request has beside its page, and return their names."""
-    written = []
+def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> None:
+    """Write the files that the request has beside its page."""
     for option, path in files.items():
         product = asked.products[option.removeprefix("--")]
         made = None if path is None else product.make(asked, found)
@@ -334,8 +331,6 @@ def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> list[
             save_figure(made, path)
         else:
             put(made, path)
-        written.append(path)
-    return written
 
 
 # --- errors in the words of a command ------------------------------------------------------------

@@ -70,7 +70,6 @@ class ImportRequest(FindingRequest):
 
     shows_page: ClassVar = False
     json_meaning: ClassVar = "Write what was taken, inferred and left out as JSON"
-    says_written: ClassVar = True
     examples: ClassVar = (
         "Examples: import gearbox.rexs; import gearbox.rexsz -o machine.toml --json taken.json."
     )
@@ -180,7 +179,6 @@ class ExportRequest(MachineRequest):
     counts: ClassVar = True
     waiting: ClassVar = marked("operating points")
     json_meaning: ClassVar = "Write what others do not see, and what was solved, as JSON"
-    says_written: ClassVar = True
     examples: ClassVar = (
         "Examples: export machine.toml; export machine.toml -o gearbox.rexsz"
         " --set loads.0.fz='-8 kN'; export machine.toml -o rotor.py; export machine.toml --ross 3"
