@@ -112,6 +112,7 @@ def test_the_documentation_of_the_api_is_served_here(visit: Any, address: str) -
 
 @pytest.mark.parametrize("view", ["machine", "weibull", "signal"])
 def test_the_address_of_a_page_leaves_the_head_in_sight(visit: Any, view: str) -> None:
-    page = visit(f"#{view}", size=PHONE)
-    page.wait_for_timeout(500)
+    page = visit("#case", size=PHONE)
+    page.evaluate(f"location.hash = '{view}'")
+    page.wait_for_timeout(1000)
     assert page.evaluate("document.querySelector('.head').getBoundingClientRect().top") == 0
