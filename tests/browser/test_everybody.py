@@ -108,3 +108,11 @@ def test_the_documentation_of_the_api_is_served_here(visit: Any, address: str) -
     page = visit()
     page.goto(f"{address}api/docs")
     page.get_by_text("/api/v1/solve").first.wait_for()
+
+
+@pytest.mark.parametrize("view", ["machine", "weibull", "signal"])
+def test_the_address_of_a_page_leaves_the_head_in_sight(visit: Any, view: str) -> None:
+    page = visit("#case", size=PHONE)
+    page.evaluate(f"location.hash = '{view}'")
+    page.wait_for_timeout(1000)
+    assert page.evaluate("document.querySelector('.head').getBoundingClientRect().top") == 0

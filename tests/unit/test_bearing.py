@@ -74,7 +74,7 @@ def test_numpy_numbers_are_numbers() -> None:
         ({"ball_diameter": 22.23}, "must be at least 0.01 mm and at most 1 m"),
         ({"pitch_diameter": 0.02}, "must be greater than the ball diameter, 22.23 mm"),
         ({"contact_angle": -0.1}, "must be at least 0° and at most 90°"),
-        ({"contact_angle": "90 deg"}, 'must be less than 90 deg, unless kind = "thrust"'),
+        ({"contact_angle": "90 deg"}, 'must be less than 90°, unless kind = "thrust"'),
         ({"inner_conformity": 0.5}, "inner_conformity = 0.5: must be at least 0.501"),
         ({"outer_conformity": 1.1}, "at most 1"),
         ({"outer_conformity": "0.52"}, "must be a number"),

@@ -31,6 +31,7 @@ from rolamento.pages.equations import (
 )
 from rolamento.pages.report import report_page
 from rolamento.tasks.demonstration import EXAMPLE
+from rolamento.tasks.inside import ReportRequest
 from rolamento.tasks.report import MOST_CASES, Report, calculation_report, checksum_of
 from rolamento.words import in_unit, manner, speaking
 
@@ -501,3 +502,9 @@ def test_the_command_writes_every_format(tmp_path: Path, ending: str) -> None:
     )
     assert run.exit_code == 0, run.output
     assert path.stat().st_size > 1000
+
+
+def test_one_name_in_the_place_of_several_is_one_case() -> None:
+    assert ReportRequest(case="6305").case == ("6305",)
+    assert ReportRequest(case=EXAMPLE).case == (EXAMPLE,)
+    assert ReportRequest(case=["6305", "6306"]).case == ["6305", "6306"]

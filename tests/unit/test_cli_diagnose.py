@@ -344,7 +344,7 @@ class TestWrongInput:
             (("outer.npy", *KNOWN, "--outer-speed", "1797 rpm"), "nothing rolls"),
             (("outer.npy", *KNOWN, "--unit", "frob"), "before calibration: V, mV"),
             (("outer.npy", *KNOWN, "--scale", "100"), "--scale"),
-            (("outer.npy", *KNOWN, "--angle", "95 deg"), "less than 90 deg"),
+            (("outer.npy", *KNOWN, "--angle", "95 deg"), "less than 90°"),
             (("outer.npy", *KNOWN, "--angle", "wide"), "--angle free"),
             (("outer.npy", *KNOWN[2:], "--bearing", "fan.toml", "--angle", "free"), "--nominal"),
             (("outer.npy", *KNOWN, "--set", "duty.load.fz=3"), "--set: duty.load.fz"),

@@ -189,7 +189,7 @@ def test_a_case_without_solution_keeps_its_geometry() -> None:
         (("6205", "--speed", "1e9 rpm"), '--speed: "1000000000 rpm": must be at least'),
         (("6205", "--slip", "2"), "slip"),
         (("6205", "--angle", "5"), "--angle"),
-        (("6205", "--angle", "95 deg"), '--angle: "95 deg": must be at least 0 deg and less'),
+        (("6205", "--angle", "95 deg"), '--angle: "95 deg": must be at least 0° and less'),
         (("6205", "--tolerance", "speed"), "KEY=VALUE"),
         (("6205", "--tolerance", "size=1"), "ball_diameter"),
         (("6205", "--tolerance", "speed=nan"), "speed"),

@@ -170,3 +170,13 @@ def test_prose_has_decimal_commas() -> None:
     help_of = flat(run("weibull", "--help", "--lang", "pt")[1])
     assert "0,9 para L10; por padrão 0,9 e 0,5." in help_of
     assert not re.search(r"como \d\.\d", help_of)
+
+
+@pytest.mark.parametrize(
+    "arguments", [("--help",), ("--version",), ("solve", "-h"), ("solve", "6305")]
+)
+def test_a_language_that_is_not_known_is_refused_everywhere(arguments: tuple[str, ...]) -> None:
+    code, text = run(*arguments, "--lang", "xx")
+    assert code == 2
+    assert "must be one of en, pt (example: --lang pt)" in flat(text)
+    assert run(*arguments[:1], "--help", LC_ALL="xx_YY.UTF-8")[0] == 0  # a locale may be any

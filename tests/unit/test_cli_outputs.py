@@ -39,6 +39,7 @@ def test_a_page_goes_to_the_terminal_and_to_files() -> None:
     done = run(*FREQUENCIES, "--report", "a.html", "--xlsx", "a.xlsx", "--csv", "a.csv")
     assert done.exit_code == 0
     assert "29.95" in done.stdout
+    assert run("report", "6305", "--fr", "2 kN", "-o", "r.md").stdout == "Wrote r.md\n"
     assert Path("a.html").read_text("utf-8").startswith("<!DOCTYPE html>")
     assert "lines" in openpyxl.load_workbook("a.xlsx").sheetnames
     assert Path("a.csv").read_bytes().startswith(b"source,row,line,abbreviation,harmonic,")

@@ -572,7 +572,9 @@ def test_a_workbook_is_the_same_every_time_whatever_its_tables_are_called() -> N
         ("vezes E'_aço/E' (Hertz)", [("vezes E'", "aço"), ("/E' (Hertz)", "")]),
         ("Q_i, α_o", [("Q", "i"), (", α", "o"), ("", "")]),
         ("stiffness_zz a_b.csv x_1_2 C:\\d_e", None),
-        ("12 300 h", [("12\u00a0300 h", "")]),
+        ("12 300 h", [("12\u00a0300\u00a0h", "")]),
+        ("95 % of 3.2 N·mm", [("95\u00a0% of 3.2\u00a0N·mm", "")]),
+        ("9 balls, 5 metres", None),
     ],
 )
 def test_letters_have_their_indices(text: str, pieces: list[tuple[str, str]] | None) -> None:

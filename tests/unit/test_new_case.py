@@ -244,7 +244,9 @@ def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert run("6310/C3", "--force") == told
     assert run("6310/C3", "-o", "-") == case_template("6310/C3")
     assert "must end in .toml" in run("6310", "-o", "case.txt", code=2)
-    assert "is in no catalogue" in run("6299", code=2)
+    unknown = run("6299", code=2)
+    assert "is in no catalogue" in unknown
+    assert "(example: 6310/C3)" in unknown  # as a command line has it, not a file
     (tmp_path / "own.csv").write_text(
         "designation,bore_mm,outside_diameter_mm,width_mm,dynamic_rating_kN,static_rating_kN\n"
         "My-1,50,110,27,62,38.5\n",

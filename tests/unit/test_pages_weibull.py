@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from typing import Any, get_args
 
@@ -12,6 +13,7 @@ import pytest
 from rolamento.document import Document, Medium
 from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
+from rolamento.pages.lives import alike, written
 from rolamento.pages.weibull import BOUND_METHODS, FITS, HYPOTHESES, SCHEMES, weibull_page
 from rolamento.pages.weibull_plan import demonstration_page, precision_page
 from rolamento.tasks.weibull import DemonstrationTest, PrecisionTest
@@ -154,6 +156,29 @@ def test_numbers_far_out_stay_short() -> None:
         )
         assert max(map(len, text.splitlines())) <= 80
         assert ("e25" if scale > 1.0 else "e-25") in text
+
+
+@pytest.mark.parametrize(
+    ("ends", "share", "said"),
+    [
+        ((0.097, 168.646), False, ["0.0970", "169"]),
+        ((0.5, 12345.6), False, ["0.500", "12 300"]),
+        ((55.061, 71.639), False, ["55.06", "71.64"]),
+        ((1.08, 9321.4), False, ["1.08", "9320"]),
+        ((0.0005, 0.99976), True, ["0.050", "99.976"]),
+    ],
+)
+def test_an_interval_has_the_figures_that_its_width_supports(
+    ends: tuple[float, float], share: bool, said: list[str]
+) -> None:
+    assert [written(one) for one in alike(ends, share=share)] == said
+
+
+def test_factors_of_little_known_lives_have_few_figures() -> None:
+    test = LifeTest(np.array([0.5, 40.0, 300.0]))
+    text = shown(weibull_page, summarise(test, LifeTestRequest(samples=SAMPLES)))
+    assert not re.findall(r"factor of [\d ]*[1-9]\d\d\b", text)
+    assert re.search(r"factor of\s", text)
 
 
 def test_groups_that_differ_are_told_apart() -> None:

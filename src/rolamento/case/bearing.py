@@ -92,11 +92,11 @@ def _angle_within(bearing: Any) -> Any:
 def _angle_beyond(bearing: "Bearing") -> InputError:
     assert bearing.contact_angle is not None
     if bearing.bearing_type.washers:
-        rule, example = said("of a thrust bearing must be greater than 45 deg"), "90 deg"
+        rule, example = said("of a thrust bearing must be greater than 45°"), "90 deg"
     elif bearing.contact_angle == 0.0:
-        rule, example = said("of a self-aligning bearing must be greater than 0 deg"), "10 deg"
+        rule, example = said("of a self-aligning bearing must be greater than 0°"), "10 deg"
     else:
-        rule, example = said('must be less than 90 deg, unless kind = "thrust"'), "40 deg"
+        rule, example = said('must be less than 90°, unless kind = "thrust"'), "40 deg"
     return InputError(
         rule,
         field="contact_angle",

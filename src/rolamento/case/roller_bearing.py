@@ -144,15 +144,14 @@ def _cones_meet_the_axis(bearing: Any) -> Any:
 def _cones_do_not(bearing: "RollerBearing") -> InputError:
     if bearing.bearing_type.washers:
         return InputError(
-            said("of rollers between washers is 90 deg"),
+            said("of rollers between washers is 90°"),
             field="contact_angle",
             value=readable(bearing.row_angle, "angle"),
             example='contact_angle = "90 deg"',
         )
     return InputError(
         said(
-            "must be less than half the contact angle, {half}, and the contact angle "
-            "less than 90 deg",
+            "must be less than half the contact angle, {half}, and the contact angle less than 90°",
             half=readable(0.5 * bearing.row_angle, "angle"),
         ),
         field="roller_half_angle",

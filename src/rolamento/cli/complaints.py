@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, Final, get_args
 
 import typer
 
 from rolamento.errors import printable
-from rolamento.words import said, said_in
+from rolamento.words import languages, said, said_in
 
-__all__ = ["UsageError", "complaining"]
+__all__ = ["UsageError", "complaining", "refuse_language"]
 
 _CLICK: Final[Any] = sys.modules[typer.BadParameter.__module__]
 """Where Typer has its errors from: its own copy of click, of which it exports few."""
@@ -78,12 +78,32 @@ def _name(parameter: Any) -> str:
     return said_in("metavar", parameter.display_name_raw)
 
 
+def refuse_language(code: str | None) -> None:
+    """Refuse what is no language, also where a help or the version is shown, before any command.
+
+    Raises
+    ------
+    UsageError
+        If it is none.
+    """
+    if code and code not in languages():
+        rule = _of_choice("--lang", list(languages()))
+        raise UsageError(said("Invalid value for {name}: {rule}.", name="--lang", rule=rule))
+
+
+def _of_choice(name: str, known: Sequence[str]) -> str:
+    """Return which values are allowed, and an example."""
+    rule = said("must be one of {known}", known=", ".join(known))
+    return f"{rule} {said('(example: {example})', example=f'{name} {known[-1]}')}"
+
+
 def _rule(parameter: Any) -> str:
     """Return what a value has to be; empty for what no command asks for."""
     kind = parameter.type_descriptor
     if kind.is_choice:
-        known = ", ".join(str(getattr(one, "value", one)) for one in kind.choices)
-        return said("must be one of {known}", known=known)
+        return _of_choice(
+            _name(parameter), [str(getattr(one, "value", one)) for one in kind.choices]
+        )
     kinds = {kind.annotation, *get_args(kind.annotation)}
     least = getattr(parameter, "min", None)
     if int in kinds and least is not None:

@@ -11,10 +11,10 @@ from typing import Any, ClassVar, Final, TypeVar, get_args
 import typer.core
 from typer.core import TyperCommand, TyperGroup
 
-from rolamento.cli.complaints import UsageError, complaining
+from rolamento.cli.complaints import UsageError, complaining, refuse_language
 from rolamento.cli.waiting import working
 from rolamento.errors import nearest
-from rolamento.words import language_asked, marked, said, said_in, speaking, spelling
+from rolamento.words import code_asked, language_asked, marked, said, said_in, speaking, spelling
 
 __all__ = [
     "METAVAR",
@@ -134,6 +134,7 @@ class GroupedCommands(TyperGroup):
         """Run in the language that the arguments ask for, or else in that of the locale."""
         as_typed = spelling(partial(as_option, {"changes": "--set"}))
         with speaking(language_asked(args)), as_typed, complaining():
+            refuse_language(code_asked(args))
             more["standalone_mode"] = False
             raise SystemExit(super().main(args, *others, **more) or 0)
 

@@ -97,6 +97,8 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
                 outputs.show(lambda: asked.page(found), *elsewhere, report=asked.report(found))
             if STANDARD_STREAM not in elsewhere:
                 print_text(asked.closing(found))
+                if target is not None and not (has_page or asked.says_written):
+                    print_text(said("Wrote {path}", path=target) + "\n")
             complaint = asked.complaint(found)
             if complaint and (not has_page or STANDARD_STREAM in (outputs.csv, *elsewhere)):
                 for line in complaint.splitlines():

@@ -12,7 +12,7 @@ from math import isfinite, nan
 from typing import Final
 
 from rolamento.document.model import Bars, CellContent, Column, Number, Table
-from rolamento.words import ABSENT, decimals_for, in_unit, manner
+from rolamento.words import ABSENT, UNITS, decimals_for, in_unit, manner
 
 __all__ = [
     "PEAK",
@@ -48,6 +48,9 @@ _INDEXED: Final = re.compile(
 )
 """A letter with an index, ``Q_max``, ``d_m/2``, ``x_0²``, ``E'_steel``; not in names or paths."""
 _GROUP: Final = re.compile(r"(?<=\d) (?=\d{3}(?!\d))")
+_UNITS: Final = "|".join(map(re.escape, filter(None, (*UNITS, "%"))))
+_UNIT: Final = re.compile(rf"(?<=[\d∞⁶]) (?=(?:{_UNITS})(?!\w))")
+"""A space between a number and its unit."""
 _SCHEME: Final = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 
 
@@ -218,9 +221,9 @@ def grouped(text: str) -> str:
 def indexed(text: str) -> Sequence[tuple[str, str]]:
     """Part a text into pieces, each with the index that follows it: ``a_ISO`` ``("a", "ISO")``.
 
-    The groups of a number stay together.
+    A number, its groups and its unit stay together.
     """
-    text = grouped(text)
+    text = _UNIT.sub("\u00a0", grouped(text))
     pieces: list[tuple[str, str]] = []
     end = 0
     for found in _INDEXED.finditer(text):

@@ -27,17 +27,21 @@ def alike(
 ) -> list[CellContent]:
     """Return numbers of one quantity with the same decimals, by the least of them.
 
+    Where that would give the greatest more figures than are known, each has its own decimals.
     share: they are written in per cent.
     """
     scale, unit = (100.0, " [%]") if share else (1.0, "")
     sizes = [scale * abs(value) for value in values if isfinite(value) and value != 0.0]
-    decimals = decimals_for([min(sizes, default=0.0)], figures - 1, most=6) - 1
-    decimals = max(decimals, decimals_for(sizes, figures, most=6))
-    least = 0.5 * 10.0**-decimals
+    of_least = decimals_for([min(sizes, default=0.0)], figures - 1, most=6) - 1
+    of_greatest = decimals_for(sizes, figures, most=6)
+    decimals = max(of_least, of_greatest)
+    form, least = f".{decimals}f", 0.5 * 10.0**-decimals
+    if of_least > of_greatest and not share:  # whose 99.9 % would be 100 %
+        form, least = f".{figures - 1}r", _SMALLEST
     return [
         _INFINITE
         if value == inf
-        else Number(value, (".1e" if _is_far_out(scale * value, least) else f".{decimals}f") + unit)
+        else Number(value, (".1e" if _is_far_out(scale * value, least) else form) + unit)
         for value in values
     ]
 

@@ -252,7 +252,7 @@ def _table_of_bounds(group: GroupSummary) -> _Headed:
         of_share = quantity.kind == "reliability"
         rows.append(alike([bound.estimate, *_limits(bound)], share=of_share))
         known = not of_share and bound.lower > 0.0
-        ratios.append(brief(bound.ratio, 3) if known else None)
+        ratios.append(doc.Number(bound.ratio, ".3r") if known else None)
     columns = [_names(quantities, unit)]
     heads = {"estimate": said("estimate"), **_limit_heads(first)}
     columns += [
@@ -690,7 +690,7 @@ def _life_sentence(bound: Bounds, wanted: LifeTestRequest, unit: str, lead: str 
             "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}."
             " {quantity} is known to within a factor of {factor}: {lower} to {upper} {unit}.",
             **shown,
-            factor=written(brief(bound.ratio, 2)),
+            factor=written(doc.Number(bound.ratio, ".2r")),
         )
     return lead + said(
         "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}.", **shown
@@ -782,10 +782,9 @@ def _sentence_of_ratio(ratio: LifeRatio) -> str:
             **names,
             advice=ratio.advice.text,
         )
+    shown = alike([ratio.ratio, ratio.lower, ratio.upper], 3)
     numbers = {
-        "ratio": written(brief(ratio.ratio, 3)),
-        "lower": written(brief(ratio.lower, 3)),
-        "upper": written(brief(ratio.upper, 3)),
+        **dict(zip(("ratio", "lower", "upper"), map(written, shown), strict=True)),
         "confidence": percent(ratio.confidence),
         "p": written(_p_cell(ratio.p_value)),
     }

@@ -86,7 +86,7 @@ def angle_of(given: str | float, bearing: Bearing | RollerBearing) -> float | An
     except InputError as error:
         raise error.with_details(field="angle", example=_angle_example()) from None
     if not 0.0 <= angle < 0.5 * pi:
-        rule = said("must be at least 0 deg and less than 90 deg")
+        rule = said("must be at least 0° and less than 90°")
         raise InputError(rule, field="angle", value=given, example=_angle_example())
     return angle
 

@@ -134,6 +134,7 @@ class NewRequest(FindingRequest):
 
     shows_page: ClassVar = False
     json_meaning: ClassVar = ""
+    says_written: ClassVar = True
     examples: ClassVar = (
         "Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml; new --machine."
     )
@@ -170,7 +171,11 @@ class NewRequest(FindingRequest):
             if self._is_workbook:
                 made: str | bytes = machine_workbook()
             else:
-                made = machine_template() if self.machine else case_template(self.designation)
+                try:
+                    made = machine_template() if self.machine else case_template(self.designation)
+                except InputError as error:
+                    own = error.with_details(example="") if error.field == "designation" else error
+                    raise self._with_example(own) from None
         return Finding(made, text=text + "\n")
 
     def content(self, found: Any) -> str | bytes:

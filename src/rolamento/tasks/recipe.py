@@ -182,6 +182,7 @@ class SynthesisRequest(CaseRequest):
     json_meaning: ClassVar = ""
     shows_page: ClassVar = False
     waiting: ClassVar = marked("making the signal")
+    says_written: ClassVar = True
     examples: ClassVar = (
         "Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
         " --rate '12 kHz' --output inner.npz --truth inner.json."

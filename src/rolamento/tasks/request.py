@@ -7,6 +7,7 @@ error names the field; each face writes that in its own spelling.
 """
 
 import inspect
+import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -205,6 +206,8 @@ class Input:
         InputError
             If it is not of its kind.
         """
+        if self.kind == "files" and isinstance(given, str | os.PathLike):
+            return (given,)
         if self.names_files or self.kind == "bearing":
             return given
         if given is None or (isinstance(given, str) and not given.strip()):
@@ -401,6 +404,8 @@ class Request(Record):
     """What JSON of the result is; "" where there is none."""
     shows_page: ClassVar[bool] = True
     """Whether its page and the tables on it may be written to files, beside its target."""
+    says_written: ClassVar[bool] = False
+    """Whether its page or what closes it names its target already."""
     examples: ClassVar[str] = ""
     """Command lines, for its help."""
     waiting: ClassVar[str] = marked("Calculating")

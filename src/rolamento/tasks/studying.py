@@ -237,7 +237,6 @@ class PlotRequest(FindingRequest):
         return Finding(
             found, picture=lambda: found.figure, is_result=found.failure is None,
             complaint="" if found.failure is None else no_result(found.failure),
-            text=said("Wrote {path}", path=self.target) + "\n",
         )  # fmt: skip
 
     def write(self, found: Any, path: str) -> None:

@@ -14,6 +14,7 @@ from rolamento.words.manner import (
 )
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
+    code_asked,
     counted,
     language,
     language_asked,
@@ -34,6 +35,7 @@ __all__ = [
     "Manner",
     "Note",
     "Written",
+    "code_asked",
     "counted",
     "decimals_for",
     "in_unit",

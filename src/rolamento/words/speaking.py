@@ -24,6 +24,7 @@ from rolamento.words.manner import Manner
 __all__ = [
     "CATALOGUES",
     "DOMAIN",
+    "code_asked",
     "counted",
     "language",
     "language_asked",
@@ -71,8 +72,8 @@ def language_of(code: str | None = None, environment: Mapping[str, str] | None =
     return code if code in languages() else ENGLISH
 
 
-def language_asked(arguments: Sequence[str] | None = None) -> str:
-    """Return the language that a command line asks for with ``--lang``, or else the locale's.
+def code_asked(arguments: Sequence[str] | None = None) -> str | None:
+    """Return what a command line gives for ``--lang``, be it a language or not; None for nothing.
 
     Parameters
     ----------
@@ -87,7 +88,12 @@ def language_asked(arguments: Sequence[str] | None = None) -> str:
             code = behind
         elif word.startswith("--lang="):
             code = word.removeprefix("--lang=")
-    return language_of(code)
+    return code
+
+
+def language_asked(arguments: Sequence[str] | None = None) -> str:
+    """Return the language of `code_asked`, or else the locale's."""
+    return language_of(code_asked(arguments))
 
 
 @contextmanager
