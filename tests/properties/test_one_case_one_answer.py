@@ -115,6 +115,8 @@ DESIGNATIONS: dict[str, dict[str, Any]] = {
     "tapered": _of("30206", OIL),
     "tapered pair": _of(_pair("30206 DB"), OIL),
     "tapered pair in its seats": _of(_pair("30206 DF"), SEATS),
+    "tapered in its seats with oil": _of("30206", FILM),
+    "tapered pair in its seats with oil": _of(_pair("30210 DB"), FILM),
     "needle": _of("NA 4904", {"duty": {**DUTY, "load": {"fz": "2 kN"}}}),
 }
 EXAMPLES = {
