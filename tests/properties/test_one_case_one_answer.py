@@ -115,6 +115,8 @@ DESIGNATIONS: dict[str, dict[str, Any]] = {
     "tapered": _of("30206", OIL),
     "tapered pair": _of(_pair("30206 DB"), OIL),
     "tapered pair in its seats": _of(_pair("30206 DF"), SEATS),
+    "tapered in its seats with oil": _of("30206", FILM),
+    "tapered pair in its seats with oil": _of(_pair("30210 DB"), FILM),
     "needle": _of("NA 4904", {"duty": {**DUTY, "load": {"fz": "2 kN"}}}),
 }
 EXAMPLES = {
@@ -312,6 +314,24 @@ def test_what_follows_is_the_same_of_a_case_and_of_a_batch(name: str) -> None:
 
 
 SIMPLE = "jones_simplified"
+
+
+@pytest.mark.parametrize("name", ["tapered", "tapered in its seats with oil", "tapered pair"])
+@pytest.mark.parametrize("field", ["contact_angle", "pitch_diameter", "roller_diameter"])
+def test_what_varies_is_the_case_rebuilt_with_it(name: str, field: str) -> None:
+    """The cones and the ends of the rollers follow, whichever door changes their sizes."""
+    case, where = case_of(name), f"bearing.{field}"
+    value = 1.02 * getattr(case.bearing, field)
+    rebuilt = rolamento.solve(case.with_({where: value}))
+    varied = rolamento.solve(case, {where: [value]})
+    assert rebuilt.converged.all()
+    size = case.bearing.pitch_diameter
+    assert not differing(rebuilt.to_mapping(), varied.to_mapping(), size)
+    both = (rolamento.analyse(one, compare=False) for one in (rebuilt, varied))
+    first, second = (
+        {"status": a.solved.part("status"), "friction": a.part("friction")} for a in both
+    )
+    assert not differing(first, second, size)
 
 
 # --- studies -----------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from rolamento.kinematics import (
     jones_control,
     orbital_speed,
     spin_resistance,
+    spin_to_roll,
 )
 
 RANDOM = np.random.default_rng(7)
@@ -139,6 +140,14 @@ def test_rings_turning_together_carry_the_ball_along() -> None:
     np.testing.assert_allclose(motion.orbital_speed, 100.0)
     np.testing.assert_allclose(motion.ball_speed, 0.0, atol=1e-12)
     assert np.all(np.isnan(motion.inner_spin_to_roll) | (np.abs(motion.inner_roll) < 1e-12))
+
+
+def test_what_only_spins_has_no_ratio_of_spin_to_roll() -> None:
+    """A rounding in the place of no roll, as cos 90° is 6e-17, gives none either."""
+    spin = np.array([300.0, -300.0, 0.0, 3.0])
+    roll = np.array([300.0 * np.cos(0.5 * np.pi), 0.0, 0.0, 300.0])
+    ratio = np.asarray(spin_to_roll(spin, roll))
+    np.testing.assert_array_equal(ratio, [np.nan, np.nan, np.nan, 0.01])
 
 
 def test_gyroscopic_moment_turns_the_angular_momentum() -> None:

@@ -243,3 +243,17 @@ def test_a_signal_in_memory_is_diagnosed() -> None:
     assert (found.status, found.faults) == ("diagnosed", ())
     short = ro.diagnose(noise[:600], "6205", speed="1797 rpm", rate=12_000.0)
     assert (short.status, short.verdict, short.faults) == ("record_too_short", "no_verdict", ())
+
+
+@pytest.mark.parametrize("bearing", ["6310/C3", "NU 210"])
+def test_many_cases_have_the_models_of_whole_bearings_where_all_are_compared(bearing: str) -> None:
+    loads = np.linspace(3e3, 7e3, 70)
+    duty = {"inner_speed": 155.0, "compare": True, **OIL}
+    many = ro.friction_torque(bearing, fz=loads, **duty)
+    assert {"palmgren", "skf"} <= set(many.models)
+    for index in (0, 69):
+        one = ro.friction_torque(bearing, fz=float(loads[index]), **duty)
+        for name in one.models:
+            np.testing.assert_allclose(
+                many.models[name].total[index], one.models[name].total[0], rtol=1e-9
+            )

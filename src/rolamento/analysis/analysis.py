@@ -165,8 +165,8 @@ def analyse(
     hysteresis
         Part α_h of the elastic work that the material loses, 0 to 1.
     compare
-        Whether to evaluate all models of the contacts; by default of a single case only, and not
-        where it is to be quick.
+        Whether to evaluate all models, those of whole bearings too of many cases; by default of a
+        single case only, and those of the contacts not where it is to be quick.
     quick
         Whether to leave out of a single case what takes longest, for a page that follows a slider:
         the other models of the contacts, life by stress volume, and the load at which a set loses
@@ -250,7 +250,8 @@ def film_and_friction(
         found = film(some, threads=1) if has_film(some) else None
         if not has_friction(some):
             return found, None
-        machine = machines_known(some, found, life) if single else ()
+        whole = single or compare
+        machine = machines_known(some, found, life if single else None) if whole else ()
         return found, friction(
             some,
             model=model or default_model(some, quick=not single),

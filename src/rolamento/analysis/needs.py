@@ -49,6 +49,7 @@ def machines_known(
     from rolamento.friction.machine import are_designated, bearings_of
     from rolamento.life.basis import static_of_bearings
     from rolamento.life.hybrid import static_share
+    from rolamento.life.row_ratings import nominal_contact_angle
 
     case = solved.case if solved.before_mounting is None else solved.before_mounting.case
     if found is None or not are_designated(case.bearing):
@@ -61,7 +62,7 @@ def machines_known(
         listed = [_lists_static_rating(one) for one in bearings_of(case.bearing)]
         of_steel = np.where(listed, np.nan, rating / np.array(shares))  # the list's goes before
         rating = np.where(np.array(shares) == 1.0, rating, of_steel)
-    return machines_of(case, found, rating, load)
+    return machines_of(case, found, rating, load, nominal_contact_angle(solved))
 
 
 def _lists_static_rating(bearing: RollingBearing) -> bool:

@@ -170,7 +170,7 @@ class RollerRow(_Row):
         Azimuth of the row's first roller beyond the duty's, in rad.
     roller_count, roller_diameter, roller_length, effective_length, pitch_diameter
         As in `RollerBearing`; what is not given is the bearing's.
-    contact_angle, roller_half_angle, diametral_clearance
+    contact_angle, roller_half_angle, roller_end_radius, diametral_clearance
         Likewise.
     inner_ribs, outer_ribs, axial_play, roller_profile, inner_profile, outer_profile
         Likewise.
@@ -199,6 +199,9 @@ class RollerRow(_Row):
     roller_half_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg")] | None
     ) = Field(None, examples=["2 deg"])
+    roller_end_radius: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="100 m")] | None
+    ) = Field(None, examples=["120 mm"])
     diametral_clearance: (
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")] | None
     ) = Field(None, examples=["0.03 mm"])

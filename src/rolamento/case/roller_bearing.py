@@ -111,6 +111,8 @@ _SHAPE: Final = frozenset(
     }
 )
 """Fields of tapered rollers: what the usual radius of their ends follows from."""
+_CONES: Final = frozenset({"roller_diameter", "pitch_diameter", "contact_angle"})
+"""What the angle of cones follows from that all have one apex."""
 
 
 def _usual_end_radius(told: dict[str, Any]) -> float | None:
@@ -548,7 +550,10 @@ class RollerBearing(RollingBearing):
         if kind is not None and kind.washers:
             for name in ("contact_angle", "diametral_clearance"):
                 found.pop(name, None)
-        if any(given.get(name) is not None for name in _SHAPE):
+        changed = {name for name in _SHAPE if given.get(name) is not None}
+        if changed & _CONES:
+            found.pop("roller_half_angle", None)
+        if changed:
             found.pop("roller_end_radius", None)
 
     @property

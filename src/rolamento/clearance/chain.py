@@ -300,8 +300,9 @@ def gathered(
 def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
     """The sizes of a row as its temperatures leave them, by field; nothing where none are given.
 
-    Groove radii follow their rings, elements their own temperature, and the pitch circle the mean
-    of the rings, so that parts as warm as each other change nothing but the size.
+    Groove radii follow their rings, elements and their ends their own temperature, and the pitch
+    circle the mean of the rings, so that parts as warm as each other change nothing but the size;
+    the cone of a tapered roller keeps its angle.
 
     Parameters
     ----------
@@ -320,12 +321,14 @@ def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
         arcs = {
             f"{name}_radius": np.asarray(radius * (1.0 + strain))
             for name, strain in (
-                ("roller_profile", elements), ("inner_raceway", rings[0]),
-                ("outer_raceway", rings[1]),
+                ("roller_profile", elements), ("roller_end", elements),
+                ("inner_raceway", rings[0]), ("outer_raceway", rings[1]),
             )
             if (radius := getattr(bearing, f"{name}_radius")) is not None
         }  # fmt: skip
-        return {"roller_diameter": diameter, "pitch_diameter": pitch, **arcs}
+        cones = {"roller_half_angle": bearing.roller_half_angle}
+        cones = cones if bearing.bearing_type.conical else {}  # warmth turns no angle
+        return {"roller_diameter": diameter, "pitch_diameter": pitch, **arcs, **cones}
     inner, outer = ((1.0 + ring) / (1.0 + elements) for ring in rings)
     return {
         "ball_diameter": np.asarray(bearing.ball_diameter * (1.0 + elements)),

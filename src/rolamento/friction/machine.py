@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from math import tan
 from typing import Any, Final
 
 import numpy as np
@@ -47,11 +46,11 @@ class MachineBearing:
     kinematic_viscosity: float | FloatArray
     static_load_rating: float | FloatArray
     static_load_ratio: float | FloatArray | None = None
-    contact_angle: float = 0.0
+    contact_angle: float | FloatArray = 0.0
     supply: Supply = "grease"
     oil: str = USUAL_OIL
     constants: SkfConstants | None = None
-    axial_factor: float | None = None
+    axial_factor: float | FloatArray | None = None
     row: int | None = None
     rated_as_steel: bool = False
 
@@ -88,7 +87,11 @@ def are_designated(bearing: RollingBearing) -> bool:
 
 
 def machines_of(
-    case: Case, film: Film, static_load_rating: ArrayLike, static_load: ArrayLike
+    case: Case,
+    film: Film,
+    static_load_rating: ArrayLike,
+    static_load: ArrayLike,
+    contact_angle: ArrayLike | None = None,
 ) -> tuple[MachineBearing, ...]:
     """Return the bearings as those models describe them, from their designations.
 
@@ -101,6 +104,9 @@ def machines_of(
     static_load_rating, static_load
         C_0 and P_0 of each bearing, numbers, (cases,) or (cases, bearings); N. Roller bearings need
         neither. Where there is no C_0, as of hybrid bearings, that of the list is taken.
+    contact_angle
+        Nominal, of each bearing, where it varies and neither the maker nor the designation says it;
+        (cases, bearings), rad.
 
     Returns
     -------
@@ -115,10 +121,14 @@ def machines_of(
                         else np.asarray(value, np.float64), shape)
         for value in (static_load_rating, static_load)
     )  # fmt: skip
+    angle = None if contact_angle is None else np.asarray(contact_angle, np.float64)
     found = [
-        _machine(case, bearing, film, rating[:, index], load[:, index])
+        _machine(
+            case, bearing, film, rating[:, index], load[:, index],
+            bearing.places[0].bearing.row_angle if angle is None else angle[:, index],
+        )
         for index, bearing in enumerate(bearings)
-    ]
+    ]  # fmt: skip
     if len(found) > 1:
         found = [one and replace(one, row=index) for index, one in enumerate(found)]
     known = [one for one in found if one is not None]
@@ -126,7 +136,12 @@ def machines_of(
 
 
 def _machine(
-    case: Case, bearing: RollingBearing, film: Film, rating: FloatArray, load: FloatArray
+    case: Case,
+    bearing: RollingBearing,
+    film: Film,
+    rating: FloatArray,
+    load: FloatArray,
+    row_angle: float | FloatArray,
 ) -> MachineBearing | None:
     resolved, lubricant = bearing.resolved, case.lubricant
     if resolved is None or lubricant is None:
@@ -142,7 +157,7 @@ def _machine(
         "oil": lubricant.oil.oil_type or USUAL_OIL,
     }
     if bearing.bearing_type.has_rollers:
-        return _of_rollers(bearing, angle, shared)
+        return _of_rollers(bearing, angle or row_angle, shared)
     rated = np.all(rating > 0.0)
     if not rated:
         rating = np.full(rating.shape, published.static_rating or np.nan)
@@ -159,16 +174,17 @@ def _machine(
     )
 
 
-def _of_rollers(bearing: RollingBearing, angle: float, shared: dict[str, Any]) -> MachineBearing:
+def _of_rollers(
+    bearing: RollingBearing, angle: float | FloatArray, shared: dict[str, Any]
+) -> MachineBearing:
     """A roller bearing, which needs no rating."""
     assert bearing.resolved is not None
     published, designation = bearing.resolved.bearing, bearing.resolved.designation
     kind = bearing.places[0].bearing.listed_type
-    angle = angle or bearing.places[0].bearing.row_angle
     series = designation.series or ""
     if "E" in published.designation and f"{series}E" in constants_by_series(kind.key):
         series = f"{series}E"
-    factor = published.axial_factor or (0.4 / tan(angle) if angle else None)
+    factor = published.axial_factor or (0.4 / np.tan(angle) if np.all(angle) else None)
     return MachineBearing(
         kind=kind.key,
         static_load_rating=1.0,

@@ -118,18 +118,20 @@ def _shape_of_row(solved: Solved, index: int) -> dict[str, FloatArray]:
     def column(value: Any, otherwise: Any = np.nan) -> FloatArray:
         return np.broadcast_to(otherwise if value is None else value, len(solved))
 
+    diameter = rows.ball_diameter[:, index]
+    grown = diameter / row.roller_diameter  # the case of a mounted set has its cold rollers
     taper = column(row.roller_half_angle, 0.0)
     inner_curve, outer_curve = _curves(row)
     return {
-        "diameter": rows.ball_diameter[:, index],
+        "diameter": diameter,
         "pitch": rows.pitch_diameter[:, index],
         "length": column(row.roller_length),
         "axis": column(row.contact_angle, 0.0) - taper,
         "taper": taper,
         "inner_curve": column(inner_curve),
         "outer_curve": column(outer_curve),
-        "rib_height": column(row.rib_height, USUAL_RIB_HEIGHT * row.roller_diameter),
-        "end_radius": column(row.roller_end_radius),
+        "rib_height": column(row.rib_height, USUAL_RIB_HEIGHT * diameter),
+        "end_radius": grown * column(row.roller_end_radius),
     }
 
 

@@ -434,11 +434,12 @@ def _moment(setting: Setting, machine: MachineBearing) -> SkfMoment:
 
 def _limits(setting: Setting) -> dict[str, BoolArray]:
     """SKF's constants for angular-contact bearings are for one contact angle."""
-    differs = False
+    differs: bool | BoolArray = False
     for machine in setting.machines:
         assert machine.constants is not None
         own = machine.constants.contact_angle
-        differs |= own is not None and abs(machine.contact_angle - own) > _SAME_ANGLE
+        if own is not None:
+            differs = differs | (np.abs(machine.contact_angle - own) > _SAME_ANGLE)
     return {
         **limits_of_lubricated_bearings(setting),
         "other_angle": np.full(setting.regime.shape, differs),

@@ -48,6 +48,8 @@ LEAST_COSINE: Final = -0.5
 a bound the orbit of one that carries none would have no limit when the outer ring turns."""
 
 _TURN: Final = 2.0 * np.pi
+_ROUNDING_OF_ROLL: Final = 1e-12
+"""Part of the spin of a contact that a roll is but rounding of."""
 _FASTEST: Final = 1e9
 """rad/s, far beyond any bearing: a number above has the wrong unit."""
 
@@ -432,10 +434,14 @@ def friction_demand(
 def spin_to_roll(spin: FloatArray, roll: FloatArray) -> FloatArray:
     """Ratio ω_s/ω_roll of a contact: about its normal over about its tangent; NaN where none rolls.
 
+    None rolls where all that is left of ω_roll is rounding, as at a groove that a free ball does
+    not touch, whose angle is ±90°.
+
     Source: Harris, Rolling Bearing Analysis, 3rd ed. (1991), after Jones (1959).
     """
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.where(roll == 0.0, np.nan, spin / roll))
+        still = np.abs(roll) <= _ROUNDING_OF_ROLL * np.abs(spin)
+        return np.asarray(np.where(still, np.nan, spin / roll))
 
 
 @frozen
