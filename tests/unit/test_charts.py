@@ -258,7 +258,7 @@ def test_a_page_says_what_its_charts_say() -> None:
     told = [said, f"All cases. {said}", lives, said, "A bearing in section."]
     assert re.findall('role="img" aria-label="([^"]*)"', text) == told
     below = re.findall(r"<figcaption>(.*?)</figcaption>", text, re.S)
-    says = '<span class="says">The load rises to 4 N</span>'
+    says = '<span class="says">The load rises to 4\u00a0N</span>'
     assert below[:2] == [f"Load over speed.<br>\n{says}", f"All cases<br>\n{says}"]
     assert below[3] == says
     again = Figure("All: the load rises to 4 N.", partial(draw, EVERY), "again")

@@ -182,7 +182,7 @@ def test_the_page_says_what_comes_first(language: str) -> None:
         text = markdown(service_life_page(service_life(motor())))
     expected = {
         "en": "First comes grease",
-        "pt": "Primeiro fator limitante: graxa; 90 % destes rolamentos",
+        "pt": "Primeiro fator limitante: graxa; 90\u00a0% destes rolamentos",
     }[language]
     assert expected in text
 

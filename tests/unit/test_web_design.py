@@ -154,7 +154,7 @@ def test_what_scatters_is_offered_and_shown() -> None:
     found = tolerance({"case": CASE, "scatter": scatter, "output": "max_inner_max_pressure"})
     assert found["output"] == "max_inner_max_pressure"
     assert found["picture"]["layout"]["xaxis"]["title"]["text"].endswith("(MPa)")
-    assert "95 %" in found["table"]
+    assert "95\u00a0%" in found["table"]
 
 
 @pytest.mark.parametrize("scatter", [3, {"duty.load.fz": "x"}, {"duty.load.fz": 9e3},
