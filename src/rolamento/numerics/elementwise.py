@@ -43,8 +43,8 @@ def of_each(
 
     Returns
     -------
-    Arrays of the broadcast shape. The loop runs over many numbers of a process that has the
-    compiler.
+    Arrays of the broadcast shape. The loop runs where a process has the compiler: over many
+    numbers, and over few where it is loaded.
     """
     whole = np.broadcast(*arrays)
     if not at_hand() or goes_plainly(loop, little=whole.size < MANY):

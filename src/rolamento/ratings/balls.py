@@ -15,6 +15,7 @@ data/iso_ratings.toml.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Final, Literal
 
@@ -29,16 +30,13 @@ from rolamento.validate import numbers
 __all__ = [
     "INNER_GROOVE",
     "MAXIMUM_GAMMA",
-    "OUTER_GROOVE",
     "SELF_ALIGNING_CONFORMITY",
     "THRUST_CONFORMITY",
-    "THRUST_STATIC_CONFORMITY",
     "RatedType",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
     "dynamic_factor_of_open_grooves",
     "dynamic_rating",
-    "self_aligning_static_factor",
     "static_factor",
     "static_factor_of_grooves",
     "static_factor_of_open_grooves",
@@ -54,7 +52,8 @@ ones, and thrust bearings (their C and C_0 are axial)."""
 MAXIMUM_GAMMA: Final = 0.40
 """The maximum D cos α / d_m of the standards' tables."""
 
-INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
+INNER_GROOVE: Final = 0.52
+_OUTER_GROOVE: Final = 0.53
 """Conformities of radial bearings up to which the factors hold; ISO 281:2007, 5.1."""
 _LARGE_BALL: Final = 25.4
 """Ball diameter in mm above which the dynamic rating grows with D^1.4 (ISO 281)."""
@@ -74,7 +73,7 @@ SELF_ALIGNING_CONFORMITY: Final = 0.53
 """f_i behind the tables of self-aligning bearings."""
 THRUST_CONFORMITY: Final = 0.535
 """Conformity of both grooves, behind the table of ISO 281 for thrust bearings."""
-THRUST_STATIC_CONFORMITY: Final = 0.54
+_THRUST_STATIC_CONFORMITY: Final = 0.54
 """The same for ISO 76."""
 _PRESSURE: Final = 4200.0
 """MPa at the heaviest ball under the static rating (ISO 76, ball bearings but self-aligning)."""
@@ -123,10 +122,10 @@ def static_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
         return _interpolated("static", gamma)
     if kind == "thrust":
         return thrust_static_factor(gamma)
-    return self_aligning_static_factor(gamma)
+    return _self_aligning_static_factor(gamma)
 
 
-def self_aligning_static_factor(
+def _self_aligning_static_factor(
     gamma: ArrayLike, inner_conformity: ArrayLike = SELF_ALIGNING_CONFORMITY
 ) -> FloatArray:
     """Return f_0 of self-aligning bearings by Hertz, in N/mm².
@@ -142,10 +141,7 @@ def self_aligning_static_factor(
     """
     g = _within(gamma, 0.0, MAXIMUM_GAMMA)
     groove = _open_groove(inner_conformity, "inner_conformity")
-    inner = _load_at_pressure(1.0 + g / (1.0 - g), groove, _PRESSURE_SELF_ALIGNING)
-    sphere = _sphere(np.maximum(g, _TINY))
-    outer = _load_at_pressure(1.0 - g / (1.0 + g), sphere, _PRESSURE_SELF_ALIGNING)
-    return np.asarray(np.minimum(inner, outer) / 5.0)
+    return _static_by_grooves(g, groove, _sphere(np.maximum(g, _TINY)), _PRESSURE_SELF_ALIGNING)
 
 
 def thrust_dynamic_factor(
@@ -172,11 +168,11 @@ def thrust_dynamic_factor(
     f = _open_groove(conformity, "conformity")
     uneven = 1.0 - _UNEVEN * np.sin(angle)
     races = _races(g, 1.0) * size**0.3 * np.sin(angle)
-    return np.asarray(_DYNAMIC_THRUST * uneven * races * (2.0 * f / (2.0 * f - 1.0)) ** 0.41)
+    return np.asarray(_DYNAMIC_THRUST * uneven * races * _closeness(f))
 
 
 def thrust_static_factor(
-    gamma: ArrayLike, conformity: ArrayLike = THRUST_STATIC_CONFORMITY
+    gamma: ArrayLike, conformity: ArrayLike = _THRUST_STATIC_CONFORMITY
 ) -> FloatArray:
     """Return f_0 of thrust bearings by Hertz, in N/mm².
 
@@ -237,13 +233,11 @@ def static_factor_of_grooves(
     ISO 76:2006 with C_0r = 0.2 Z Q cos α; steel of 207 GPa and 0.3.
     """
     g = _nan_outside(gamma, "gamma", 0.0, 1.0)
-    inner = _load_at_pressure(
-        1.0 + g / (1.0 - g), _open_groove(inner_conformity, "inner_conformity"), _PRESSURE
+    f_i, f_o = (
+        _open_groove(inner_conformity, "inner_conformity"),
+        _open_groove(outer_conformity, "outer_conformity"),
     )
-    outer = _load_at_pressure(
-        1.0 - g / (1.0 + g), _open_groove(outer_conformity, "outer_conformity"), _PRESSURE
-    )
-    return np.asarray(np.minimum(inner, outer) / 5.0)
+    return _static_by_grooves(g, f_i, f_o, _PRESSURE)
 
 
 def dynamic_factor_of_open_grooves(
@@ -270,17 +264,15 @@ def dynamic_factor_of_open_grooves(
     """
     if kind == "thrust":
         ratio, openest = diameter / pitch, np.maximum(*grooves)
-        opened = thrust_dynamic_factor(ratio, angle, np.maximum(THRUST_STATIC_CONFORMITY, openest))
-        full = thrust_dynamic_factor(ratio, angle, THRUST_STATIC_CONFORMITY)
+        opened = thrust_dynamic_factor(ratio, angle, np.maximum(_THRUST_STATIC_CONFORMITY, openest))
+        full = thrust_dynamic_factor(ratio, angle, _THRUST_STATIC_CONFORMITY)
         return np.asarray(thrust_dynamic_factor(ratio, angle) * opened / full)
     gamma = diameter * np.cos(angle) / pitch
     if kind == "self_aligning":
-        own, least = grooves[0], SELF_ALIGNING_CONFORMITY
-        lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
-        return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))
-    inner, outer = np.maximum(grooves[0], INNER_GROOVE), np.maximum(grooves[1], OUTER_GROOVE)
-    full = dynamic_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
-    return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
+        usual = SELF_ALIGNING_CONFORMITY
+        lower = _closeness(np.maximum(grooves[0], usual)) / _closeness(usual)
+        return np.asarray(dynamic_factor(gamma, kind) * lower)
+    return _lowered(dynamic_factor, dynamic_factor_of_grooves, gamma, grooves)
 
 
 def static_factor_of_open_grooves(
@@ -296,13 +288,11 @@ def static_factor_of_open_grooves(
     """
     gamma = diameter * np.where(angle >= _RIGHT, 0.0, np.cos(angle)) / pitch
     if kind == "thrust":
-        openest = np.maximum(THRUST_STATIC_CONFORMITY, np.maximum(*grooves))
+        openest = np.maximum(_THRUST_STATIC_CONFORMITY, np.maximum(*grooves))
         return thrust_static_factor(gamma, openest)
     if kind == "self_aligning":
-        return self_aligning_static_factor(gamma, np.maximum(SELF_ALIGNING_CONFORMITY, grooves[0]))
-    inner, outer = np.maximum(grooves[0], INNER_GROOVE), np.maximum(grooves[1], OUTER_GROOVE)
-    full = static_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
-    return np.asarray(static_factor(gamma) * static_factor_of_grooves(gamma, inner, outer) / full)
+        return _self_aligning_static_factor(gamma, np.maximum(SELF_ALIGNING_CONFORMITY, grooves[0]))
+    return _lowered(static_factor, static_factor_of_grooves, gamma, grooves)
 
 
 def dynamic_rating(
@@ -398,8 +388,34 @@ def _dynamic_by_grooves(
     """Return f_c of a radial bearing; inner: what its inner race bears less by its turning."""
     f_i, f_o = np.asarray(f_i), np.asarray(f_o)
     grooves = inner * (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
-    groove = (2.0 * f_i / (2.0 * f_i - 1.0)) ** 0.41
-    return np.asarray(leading * _races(g, grooves) * g**0.3 * groove)
+    return np.asarray(leading * _races(g, grooves) * g**0.3 * _closeness(f_i))
+
+
+def _closeness(conformity: ArrayLike) -> FloatArray:
+    """Return what the closeness of a groove is worth in f_c: (2f / (2f - 1))^0.41."""
+    f = np.asarray(conformity)
+    return np.asarray((2.0 * f / (2.0 * f - 1.0)) ** 0.41)
+
+
+def _static_by_grooves(
+    g: FloatArray, f_i: FloatArray, f_o: FloatArray, pressure: float
+) -> FloatArray:
+    """Return f_0 of a radial bearing, of the race that decides; pressure in MPa."""
+    inner = _load_at_pressure(1.0 + g / (1.0 - g), f_i, pressure)
+    outer = _load_at_pressure(1.0 - g / (1.0 + g), f_o, pressure)
+    return np.asarray(np.minimum(inner, outer) / 5.0)
+
+
+def _lowered(
+    table: Callable[[FloatArray], FloatArray],
+    closed_form: Callable[[FloatArray, ArrayLike, ArrayLike], FloatArray],
+    gamma: FloatArray,
+    grooves: tuple[FloatArray, FloatArray],
+) -> FloatArray:
+    """Return a factor of the table times what the closed form loses by more open grooves."""
+    inner, outer = np.maximum(grooves[0], INNER_GROOVE), np.maximum(grooves[1], _OUTER_GROOVE)
+    full = closed_form(gamma, INNER_GROOVE, _OUTER_GROOVE)
+    return np.asarray(table(gamma) * closed_form(gamma, inner, outer) / full)
 
 
 def _races(g: FloatArray, grooves: ArrayLike) -> FloatArray:

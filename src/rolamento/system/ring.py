@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import reduce
-from typing import Final, TypeVar
+from typing import Any, Final, TypeVar
 
 import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -137,7 +138,7 @@ class RowsOnRing:
         arm = _some(sizes.arm, chosen)[:, np.newaxis]
         arms = _zeros(n, unknowns)
         arms[...], arms[:, TILTS] = 1.0, arm
-        free = np.zeros((unknowns, n), np.bool_).T
+        free = _zeros(n, unknowns, np.bool_)
         target, start = _zeros(n, unknowns), _zeros(n, unknowns)
         free[:, :FIVE] = _some(cases.free, chosen)
         target[:, :FIVE] = _some(cases.load, chosen)
@@ -274,14 +275,14 @@ def _some(values: Values, chosen: Indices) -> Values:
 
 def _of_joint(values: Unknowns) -> Unknowns:
     """The unknowns of rows that are balanced in one go; zero where there is no slide."""
-    room = _zeros(len(values), JOINT).astype(values.dtype, copy=False)
+    room = _zeros(len(values), JOINT, values.dtype)
     room[:, : values.shape[1]] = values[:, :JOINT]
     return room
 
 
-def _zeros(cases: int, unknowns: int) -> FloatArray:
+def _zeros(cases: int, unknowns: int, kind: DTypeLike = np.float64) -> NDArray[Any]:
     """Zeros (cases, unknowns); the cases of an unknown stand together, as of `Cases.load`."""
-    return np.zeros((unknowns, cases)).T
+    return np.zeros((unknowns, cases), kind).T
 
 
 def _of_network(values: FloatArray, unknowns: int) -> FloatArray:

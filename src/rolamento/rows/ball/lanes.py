@@ -422,7 +422,10 @@ def touch_ball_exact(w: Array, b: Array, p: Array, k: Array) -> None:
 
 @filling
 def _evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
-    """Cos a, K and dK/d(cos a) of a ball's contacts; p, k: as of `touch_ball_exact`."""
+    """Cos a, K and dK/d(cos a) of a ball's contacts, first of the rows that each has in k.
+
+    p, k: as of `touch_ball_exact`.
+    """
     for i in range(N):
         a1, a2 = groove_exact(w, b, i)
         x1, x2 = b[_X1 + i], b[_X2 + i]
